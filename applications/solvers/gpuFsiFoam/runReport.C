@@ -1,0 +1,139 @@
+#include "runReport.H"
+
+#include "base/log.H"
+
+#include <algorithm>
+
+namespace gpuFsi
+{
+
+runReport::runReport
+(
+    const Time& time,
+    const domain& d,
+    const fluidProperties& fluid,
+    const particleSchemes& schemes,
+    const fluidSolver& solver
+)
+:
+    time_(time),
+    domain_(d),
+    fluid_(fluid),
+    schemes_(schemes),
+    solver_(solver),
+    firstIndex_(time.index()),
+    startClock_(time.clockSeconds())
+{
+    info_.casePath = time.casePath();
+    info_.startTime = time.timeName();
+    info_.dimensions = d.dimensions;
+    info_.rho0 = fluid.rho0;
+    info_.c = fluid.c;
+    info_.mu = fluid.mu;
+    info_.gravity = fluid.g;
+    info_.device = solver.device();
+    info_.precision = solver.precision();
+    info_.scheme = schemes.describe();
+    info_.pressure = [&fluid](double rho) { return fluid.pressure(rho); };
+}
+
+
+void runReport::printScene() const
+{
+    const std::size_t n = solver_.nFluid() + solver_.nWalls();
+    gpuFsi::info("Device      : {}, {} precision", info_.device,
+        info_.precision);
+    gpuFsi::info("Particles   : {} fluid, {} wall, spacing {:.6g}, {}-D",
+        solver_.nFluid(), solver_.nWalls(), domain_.spacing,
+        domain_.dimensions);
+    gpuFsi::info("Fluid       : {}, mu = {:.6g}", fluid_.describe(),
+        fluid_.mu);
+    gpuFsi::info("Schemes     : {}", info_.scheme);
+    gpuFsi::info("Terms       : {}", solver_.terms());
+    gpuFsi::info("Memory      : {:.1f} MB, {:.1f} bytes per particle\n",
+        solver_.bytes()/1e6, double(solver_.bytes())/n);
+}
+
+
+double runReport::loopSeconds() const
+{
+    return time_.clockSeconds() - startClock_ - functionSeconds_
+      - writeSeconds_;
+}
+
+
+const runInfo& runReport::info()
+{
+    info_.time = time_.value();
+    info_.timeName = time_.timeName();
+    info_.timeIndex = time_.index();
+    info_.deltaT = time_.deltaT();
+    info_.writeTime = time_.writeTime();
+    info_.loopSeconds = loopSeconds();
+    info_.totalSeconds = time_.clockSeconds();
+    info_.particleSteps =
+        double(solver_.nFluid())*(time_.index() - firstIndex_);
+    return info_;
+}
+
+
+double runReport::courant(const flowMonitor& m) const
+{
+    return (fluid_.c + m.maxSpeed)*time_.deltaT()/domain_.spacing;
+}
+
+
+double runReport::diffusion() const
+{
+    return fluid_.mu/fluid_.rho0*time_.deltaT()
+      /(domain_.spacing*domain_.spacing);
+}
+
+
+void runReport::printStep(const flowMonitor& m)
+{
+    const double mean =
+        (fluid_.c + m.meanSpeed)*time_.deltaT()/domain_.spacing;
+    const runInfo& i = info();
+    gpuFsi::info("Courant Number mean: {:.6g} max: {:.6g}", mean, courant(m));
+    gpuFsi::info("deltaT = {:.6g}", time_.deltaT());
+    gpuFsi::info("Time = {}", time_.timeName());
+    gpuFsi::info("Max speed = {:.6g}  Rate = {:.4g} MIPPS  "
+        "To finish = {:.3g} s",
+        m.maxSpeed, i.particleSteps/std::max(1e-9, i.loopSeconds)/1e6,
+        time_.secondsToFinish());
+    gpuFsi::info("{}\n", time_.executionTime());
+    std::fflush(stdout);
+}
+
+
+void runReport::printEnd()
+{
+    const runInfo& i = info();
+    const auto stages = solver_.stageSeconds();
+    double total = functionSeconds_ + writeSeconds_;
+    for (double s : stages)
+    {
+        total += s;
+    }
+    const auto line = [total](const char* name, double seconds)
+    {
+        gpuFsi::info("    {:<18}{:>6.1f} %{:>12.4g} s", name,
+            100*seconds/std::max(total, 1e-12), seconds);
+    };
+    gpuFsi::info("Share of time by stage (stages are timed on every 16th step):");
+    for (std::size_t s = 0; s < stages.size(); ++s)
+    {
+        line(stageNames[s], stages[s]);
+    }
+    line("function objects", functionSeconds_);
+    line("writing", writeSeconds_);
+    gpuFsi::info("Neighbour refreshes = {}", solver_.nRefreshes());
+    gpuFsi::info("Particle-steps = {:.6g}  loop = {:.4g} s  "
+        "rate = {:.4g} MIPPS (million particle-steps/s)",
+        i.particleSteps, i.loopSeconds,
+        i.particleSteps/std::max(1e-9, i.loopSeconds)/1e6);
+    gpuFsi::info("{}\n", time_.executionTime());
+}
+
+} // namespace gpuFsi

@@ -1,0 +1,174 @@
+#include "runSteps.H"
+
+#include "particles/stateIO.H"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace gpuFsi
+{
+
+namespace
+{
+
+class timeLoop
+{
+public:
+
+    timeLoop
+    (
+        Time& time,
+        const runControls& controls,
+        const fluidProperties& fluid,
+        fluidSolver& solver,
+        functionObjectList& functions,
+        runReport& report
+    )
+    :
+        time_(time),
+        controls_(controls),
+        fluid_(fluid),
+        solver_(solver),
+        functions_(functions),
+        report_(report)
+    {}
+
+    void run()
+    {
+        if (!functions_.empty())
+        {
+            functions_.start(state(), report_.info());
+        }
+        if (time_.adjustTimeStep())
+        {
+            monitor_ = solver_.look(time_.value());
+        }
+        while (time_.run())
+        {
+            adjustDeltaT();
+            const double before = time_.value();
+            ++time_;
+            solver_.step(before, time_.deltaT());
+            look();
+            observe();
+            write();
+        }
+    }
+
+    void writeInto(const std::filesystem::path& directory)
+    {
+        const auto pressure = [&](double rho) { return fluid_.pressure(rho); };
+        writeState(directory, state(), pressure, time_.writing());
+    }
+
+private:
+
+    void adjustDeltaT()
+    {
+        if (time_.adjustTimeStep())
+        {
+            const double viscous =
+                report_.diffusion()*time_.maxCo()/controls_.maxDi;
+            time_.adjustDeltaT(std::max(report_.courant(monitor_), viscous));
+        }
+    }
+
+    void look()
+    {
+        const bool logged = time_.index() % controls_.logInterval == 0
+          || time_.writeTime();
+        if (!logged && !time_.adjustTimeStep() && !solver_.wantsLook()
+            && !functions_.due(report_.info()))
+        {
+            return;
+        }
+        monitor_ = solver_.look(time_.value());
+        if (logged)
+        {
+            report_.printStep(monitor_);
+        }
+    }
+
+    void observe()
+    {
+        if (functions_.due(report_.info()))
+        {
+            const double begin = time_.clockSeconds();
+            functions_.execute(state(), report_.info());
+            report_.addFunctionSeconds(time_.clockSeconds() - begin);
+        }
+    }
+
+    //- A restart finds fresh neighbours; so must the run that goes on
+    void write()
+    {
+        if (!time_.writeTime())
+        {
+            return;
+        }
+        const double begin = time_.clockSeconds();
+        solver_.refreshNeighbours();
+        time_.write([&](const std::filesystem::path& d) { writeInto(d); });
+        report_.addWriteSeconds(time_.clockSeconds() - begin);
+    }
+
+    hostState state() const
+    {
+        hostState s = solver_.download();
+        s.time = time_.value();
+        return s;
+    }
+
+    Time& time_;
+    const runControls& controls_;
+    const fluidProperties& fluid_;
+    fluidSolver& solver_;
+    functionObjectList& functions_;
+    runReport& report_;
+    flowMonitor monitor_;
+};
+
+} // namespace
+
+
+void runSteps
+(
+    Time& time,
+    const runControls& controls,
+    const fluidProperties& fluid,
+    fluidSolver& solver,
+    functionObjectList& functions,
+    runReport& report
+)
+{
+    timeLoop loop(time, controls, fluid, solver, functions, report);
+    try
+    {
+        loop.run();
+    }
+    catch (const brokenState& e)
+    {
+        const std::string folder = "broken_" + time.timeName(e.time);
+        time.writeAside
+        (
+            folder,
+            [&](const std::filesystem::path& d) { loop.writeInto(d); }
+        );
+        throw userError
+        (
+            fmt::format
+            (
+                "The solution broke down at Time = {}: {}",
+                time.timeName(e.time), e.what()
+            ),
+            {},
+            fmt::format
+            (
+                "That state is in the folder {}. Use a smaller deltaT or more "
+                "viscosity; the last time folder is intact.", folder
+            )
+        );
+    }
+}
+
+} // namespace gpuFsi

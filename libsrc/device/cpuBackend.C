@@ -1,0 +1,71 @@
+#include "device/backend.H"
+
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <new>
+#include <omp.h>
+
+namespace gpuFsi
+{
+
+void* cpuBackend::allocate(std::size_t bytes)
+{
+    const std::size_t line = 64;
+    void* p = std::aligned_alloc(line, (bytes + line - 1)/line*line);
+    if (!p)
+    {
+        throw std::bad_alloc();
+    }
+    return p;
+}
+
+
+void cpuBackend::release(void* p)
+{
+    std::free(p);
+}
+
+
+void cpuBackend::copyIn(void* to, const void* from, std::size_t bytes)
+{
+    std::memcpy(to, from, bytes);
+}
+
+
+void cpuBackend::copyOut(void* to, const void* from, std::size_t bytes)
+{
+    std::memcpy(to, from, bytes);
+}
+
+
+void cpuBackend::copy(void* to, const void* from, std::size_t bytes)
+{
+    std::memcpy(to, from, bytes);
+}
+
+
+void cpuBackend::fillBytes(void* to, int byte, std::size_t bytes)
+{
+    std::memset(to, byte, bytes);
+}
+
+
+std::string cpuBackend::describe()
+{
+    std::string model = "CPU";
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);)
+    {
+        if (line.rfind("model name", 0) == 0)
+        {
+            model = line.substr(line.find(':') + 2);
+            break;
+        }
+    }
+    const int threads = omp_get_max_threads();
+    return model + ", " + std::to_string(threads)
+        + (threads == 1 ? " thread" : " threads");
+}
+
+} // namespace gpuFsi

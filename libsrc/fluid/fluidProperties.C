@@ -1,0 +1,186 @@
+#include "fluid/fluidProperties.H"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace gpuFsi
+{
+
+namespace fs = std::filesystem;
+
+static constexpr double unlimited = std::numeric_limits<double>::max();
+
+
+static double positive
+(
+    const dictionary& d,
+    const std::string& key,
+    const dimensionSet& dimensions
+)
+{
+    const double value = d.getDimensioned(key, dimensions);
+    if (!(value > 0))
+    {
+        throw userError
+        (
+            fmt::format("Entry '{}' is {}, but must be positive", key, value),
+            d.where(key)
+        );
+    }
+    return value;
+}
+
+
+static double soundSpeed(const dictionary& eos)
+{
+    if (eos.found("c") && eos.found("c2"))
+    {
+        throw userError
+        (
+            "Entries 'c' and 'c2' both give the sound speed",
+            eos.where("c"),
+            "Keep one of them."
+        );
+    }
+    if (eos.found("c"))
+    {
+        return positive(eos, "c", dimensions::velocity);
+    }
+    if (eos.found("c2"))
+    {
+        return std::sqrt(positive(eos, "c2", {0, 2, -2, 0, 0, 0, 0}));
+    }
+    return 1/std::sqrt(3.0);    // eq (3)
+}
+
+
+static double viscosity(const dictionary& d, double rho0)
+{
+    if (d.found("mu") && d.found("nu"))
+    {
+        throw userError
+        (
+            "Entries 'mu' and 'nu' both give the viscosity",
+            d.where("nu"),
+            "Keep one of them."
+        );
+    }
+    const double mu = d.found("nu")
+      ? rho0*d.getDimensioned("nu", dimensions::kinematicViscosity)
+      : d.getDimensioned("mu", dimensions::dynamicViscosity);
+    if (mu < 0)
+    {
+        throw userError
+        (
+            fmt::format("The viscosity is {}, but must not be negative", mu),
+            d.where(d.found("nu") ? "nu" : "mu")
+        );
+    }
+    return mu;
+}
+
+
+static void readWalls
+(
+    const fs::path& casePath,
+    const domain& d,
+    std::vector<std::unique_ptr<wallMotion>>& motions
+)
+{
+    motions.resize(d.walls.size());
+    const fs::path file = casePath/"constant"/"wallProperties";
+    if (!fs::exists(file))
+    {
+        return;
+    }
+    const dictionary walls = dictionary::fromFile(file);
+    for (std::size_t p = 0; p < d.walls.size(); ++p)
+    {
+        if (walls.found(d.walls[p]))
+        {
+            motions[p] = wallMotion::make(walls.subDict(d.walls[p]));
+        }
+    }
+    walls.warnUnread();
+}
+
+
+fluidProperties fluidProperties::read
+(
+    const fs::path& casePath,
+    const domain& d
+)
+{
+    const dictionary dict =
+        dictionary::fromFile(casePath/"constant"/"fluidProperties");
+
+    fluidProperties p;
+    p.rho0 = dict.found("rho0")
+      ? positive(dict, "rho0", dimensions::density)
+      : 1;
+    p.mu = viscosity(dict, p.rho0);
+
+    const dictionary& eos = dict.subDict("equationOfState");
+    const std::string word =
+        eos.getChoice("type", {"isothermal", "linear", "Tait"});
+    p.eos = word == "Tait" ? state::Tait
+      : word == "linear" ? state::linear : state::isothermal;
+    p.c = soundSpeed(eos);
+    if (p.eos == state::Tait)
+    {
+        p.gamma = eos.getNumberOrDefault("gamma", 7, 1, unlimited);
+    }
+    dict.warnUnread();
+
+    const fs::path gravity = casePath/"constant"/"g";
+    if (fs::exists(gravity))
+    {
+        const dictionary g = dictionary::fromFile(gravity);
+        g.found("dimensions");
+        p.g = g.getDimensionedVector("value", dimensions::acceleration);
+        g.warnUnread();
+    }
+    readWalls(casePath, d, p.motions);
+    return p;
+}
+
+
+double fluidProperties::pressure(double rho) const
+{
+    switch (eos)
+    {
+        case state::isothermal:
+            return c*c*rho;
+
+        case state::linear:
+            return c*c*(rho - rho0);
+
+        case state::Tait:
+            break;
+    }
+    return rho0*c*c/gamma*std::expm1(gamma*std::log1p((rho - rho0)/rho0));
+}
+
+
+std::string fluidProperties::describe() const
+{
+    const char* word = eos == state::Tait ? "Tait"
+      : eos == state::linear ? "linear" : "isothermal";
+    return fmt::format("{}, c = {:.6g}, rho0 = {:.6g}", word, c, rho0);
+}
+
+
+bool fluidProperties::wallsMove() const
+{
+    for (const auto& m : motions)
+    {
+        if (m)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace gpuFsi

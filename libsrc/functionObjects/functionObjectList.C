@@ -1,0 +1,115 @@
+#include "functionObjects/functionObjectList.H"
+
+namespace gpuFsi
+{
+
+namespace
+{
+
+//- Keys of a model that is switched off are known all the same
+void markRead(const dictionary& dict)
+{
+    for (const std::string& key : dict.keys())
+    {
+        if (dict.found(key) && dict.isDict(key))
+        {
+            markRead(dict.subDict(key));
+        }
+    }
+}
+
+} // namespace
+
+
+functionObjectList::functionObjectList
+(
+    const dictionary& controlDict,
+    const runInfo& info,
+    bool enabled
+)
+{
+    const dictionary* functions = controlDict.subDictPtr("functions");
+    if (!functions)
+    {
+        return;
+    }
+    if (!enabled)
+    {
+        markRead(*functions);
+        return;
+    }
+    for (const std::string& name : functions->keys())
+    {
+        if (!functions->isDict(name))
+        {
+            throw userError
+            (
+                "functions: " + name + " is not a sub-dictionary",
+                functions->where(name),
+                "Write " + name + " { type probes; ... }"
+            );
+        }
+        const dictionary& dict = functions->subDict(name);
+        if (!dict.getOrDefault<bool>("enabled", true))
+        {
+            markRead(dict);
+            continue;
+        }
+        // OpenFOAM names a shared library here; ours are linked in
+        dict.found("libs");
+        objects_.push_back
+        (
+            functionObject::selection::make
+            (
+                "function object",
+                dict.get<std::string>("type"),
+                dict.where("type"),
+                name,
+                dict,
+                info
+            )
+        );
+    }
+}
+
+
+void functionObjectList::start(const hostState& state, const runInfo& info)
+{
+    for (const auto& object : objects_)
+    {
+        object->start(state, info);
+        if (object->dueAtStart(info))
+        {
+            object->execute(state, info);
+        }
+        object->passed(info);
+    }
+}
+
+
+bool functionObjectList::due(const runInfo& info) const
+{
+    for (const auto& object : objects_)
+    {
+        if (object->due(info))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void functionObjectList::execute(const hostState& state, const runInfo& info)
+{
+    for (const auto& object : objects_)
+    {
+        if (object->due(info))
+        {
+            object->execute(state, info);
+            object->passed(info);
+        }
+    }
+}
+
+} // namespace gpuFsi

@@ -1,0 +1,263 @@
+#include "particles/stateIO.H"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace gpuFsi
+{
+
+namespace fs = std::filesystem;
+
+static const cloudField& need
+(
+    const cloud& c,
+    const std::string& field,
+    const std::string& cls,
+    const fs::path& time
+)
+{
+    const fs::path file = time/"lagrangian"/c.name/field;
+    const cloudField* f = c.find(field);
+    if (!f)
+    {
+        throw userError
+        (
+            fmt::format("Cloud {} has no field '{}'", c.name, field),
+            {file.string()},
+            "Run seedParticles, or write the field."
+        );
+    }
+    if (f->cls != cls)
+    {
+        throw userError
+        (
+            fmt::format("Field '{}' is a {}, not a {}", field, f->cls, cls),
+            {file.string()}
+        );
+    }
+    return *f;
+}
+
+
+static std::vector<vector> vectors(const cloudField& f)
+{
+    std::vector<vector> v(f.size());
+    for (std::size_t i = 0; i < v.size(); ++i)
+    {
+        v[i] = {f.values[3*i], f.values[3*i + 1], f.values[3*i + 2]};
+    }
+    return v;
+}
+
+
+static void checkPositive
+(
+    const std::vector<double>& values,
+    const std::string& field,
+    const fs::path& file
+)
+{
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+        if (!(values[i] > 0))
+        {
+            throw userError
+            (
+                fmt::format
+                (
+                    "{} of particle {} is {}, but must be positive",
+                    field, i, values[i]
+                ),
+                {file.string()}
+            );
+        }
+    }
+}
+
+
+//- deltaRho where it was written, which must agree with rho; else rho - rho0
+static std::vector<double> readDeltaRho
+(
+    const cloud& c,
+    double rho0,
+    const fs::path& time
+)
+{
+    const std::vector<double>& rho =
+        need(c, "rho", "scalarField", time).values;
+    const fs::path directory = time/"lagrangian"/c.name;
+    checkPositive(rho, "rho", directory/"rho");
+
+    std::vector<double> delta(rho.size());
+    const cloudField* stored = c.find("deltaRho");
+    for (std::size_t i = 0; i < rho.size(); ++i)
+    {
+        delta[i] = stored ? stored->values[i] : rho[i] - rho0;
+        if (std::abs(rho0 + delta[i] - rho[i]) > 1e-5*rho[i])
+        {
+            throw userError
+            (
+                fmt::format
+                (
+                    "rho = {} of particle {} is not rho0 + deltaRho = {} + {}",
+                    rho[i], i, rho0, delta[i]
+                ),
+                {(directory/"rho").string()},
+                "Remove the file deltaRho to start from rho, or restore rho0 "
+                "in constant/fluidProperties."
+            );
+        }
+    }
+    return delta;
+}
+
+
+static particleSet readSet(const cloud& c, double rho0, const fs::path& time)
+{
+    particleSet s;
+    s.positions = c.positions;
+    s.U = vectors(need(c, "U", "vectorField", time));
+    s.deltaRho = readDeltaRho(c, rho0, time);
+    return s;
+}
+
+
+static void checkInside(const particleSet& s, const domain& d, const fs::path& f)
+{
+    const double slack = 0.5*d.spacing;
+    const auto outside = [&](double x, double lo, double hi)
+    {
+        return x < lo - slack || x > hi + slack;
+    };
+    for (std::size_t i = 0; i < s.size(); ++i)
+    {
+        const vector& x = s.positions[i];
+        if
+        (
+            outside(x.x, d.lo.x, d.hi.x) || outside(x.y, d.lo.y, d.hi.y)
+         || (d.dimensions == 3 && outside(x.z, d.lo.z, d.hi.z))
+        )
+        {
+            throw userError
+            (
+                fmt::format
+                (
+                    "Particle {} at ({:g} {:g} {:g}) lies outside the domain "
+                    "({:g} {:g} {:g}) to ({:g} {:g} {:g})",
+                    i, x.x, x.y, x.z, d.lo.x, d.lo.y, d.lo.z,
+                    d.hi.x, d.hi.y, d.hi.z
+                ),
+                {f.string()}
+            );
+        }
+    }
+}
+
+
+hostState readState(const fs::path& time, const domain& d, double rho0)
+{
+    hostState s;
+    s.dimensions = d.dimensions;
+    s.h = d.spacing;
+    s.rho0 = rho0;
+    s.volume = d.volume;
+    s.wallNames = d.walls;
+
+    const cloud fluid = readCloud(time, "fluid");
+    s.fluid = readSet(fluid, rho0, time);
+    if (s.fluid.size() == 0)
+    {
+        throw userError
+        (
+            "There is no fluid particle",
+            {(time/"lagrangian/fluid/positions").string()},
+            "Seed the case with a smaller spacing."
+        );
+    }
+    s.fluid.mass = need(fluid, "m", "scalarField", time).values;
+    checkPositive(s.fluid.mass, "m", time/"lagrangian/fluid/m");
+    checkInside(s.fluid, d, time/"lagrangian/fluid/positions");
+
+    if (d.walls.empty())
+    {
+        return s;
+    }
+    const cloud walls = readCloud(time, "walls");
+    s.walls = readSet(walls, rho0, time);
+    s.normals = vectors(need(walls, "normal", "vectorField", time));
+    s.area = need(walls, "area", "scalarField", time).values;
+    const cloudField* reference = walls.find("referencePosition");
+    s.wallReference = reference ? vectors(*reference) : walls.positions;
+    for (double p : need(walls, "patch", "labelField", time).values)
+    {
+        if (p < 0 || p >= double(d.walls.size()))
+        {
+            throw userError
+            (
+                fmt::format
+                (
+                    "Patch {} is not one of the {} walls of constant/domain",
+                    p, d.walls.size()
+                ),
+                {(time/"lagrangian/walls/patch").string()}
+            );
+        }
+        s.patch.push_back(int(p));
+    }
+    return s;
+}
+
+
+static cloud toCloud
+(
+    const char* name,
+    const particleSet& s,
+    double rho0
+)
+{
+    cloud c;
+    c.name = name;
+    c.positions = s.positions;
+    c.addVector("U", s.U);
+    std::vector<double> rho(s.deltaRho);
+    for (double& r : rho)
+    {
+        r += rho0;
+    }
+    c.addScalar("rho", std::move(rho));
+    c.addScalar("deltaRho", s.deltaRho);
+    return c;
+}
+
+
+std::size_t writeState
+(
+    const fs::path& time,
+    const hostState& s,
+    const std::function<double(double)>& pressure,
+    const writeOptions& options
+)
+{
+    cloud fluid = toCloud("fluid", s.fluid, s.rho0);
+    fluid.addScalar("m", s.fluid.mass);
+    std::vector<double> p(s.fluid.size());
+    for (std::size_t i = 0; i < p.size(); ++i)
+    {
+        p[i] = pressure(s.rho0 + s.fluid.deltaRho[i]);
+    }
+    fluid.addScalar("p", std::move(p));
+    std::size_t bytes = writeCloud(time, fluid, options);
+
+    if (!s.wallNames.empty())
+    {
+        cloud walls = toCloud("walls", s.walls, s.rho0);
+        walls.addVector("normal", s.normals);
+        walls.addScalar("area", s.area);
+        walls.addVector("referencePosition", s.wallReference);
+        walls.addLabel("patch", {s.patch.begin(), s.patch.end()});
+        bytes += writeCloud(time, walls, options);
+    }
+    return bytes;
+}
+
+} // namespace gpuFsi

@@ -1,0 +1,90 @@
+#include "stepping/fluidSolver.H"
+
+#include "device/backend.H"
+#include "stepping/backendSolvers.H"
+
+#include <fmt/format.h>
+
+namespace gpuFsi
+{
+
+//- Below this the nearest images of a particle would be seen twice
+static constexpr double leastPeriod = 3;    // spacings
+
+static void checkPeriods(const domain& d)
+{
+    const double length[3] =
+    {
+        d.hi.x - d.lo.x, d.hi.y - d.lo.y, d.hi.z - d.lo.z
+    };
+    for (int i = 0; i < d.dimensions; ++i)
+    {
+        if (d.periodic[i] && length[i] < (leastPeriod - 1e-6)*d.spacing)
+        {
+            throw userError
+            (
+                fmt::format
+                (
+                    "The period in {} is {:g} spacings; at least {:g} are "
+                    "needed",
+                    "xyz"[i], length[i]/d.spacing, leastPeriod
+                ),
+                {},
+                "Widen the bounds in system/seedParticlesDict, or use 2 "
+                "dimensions."
+            );
+        }
+    }
+}
+
+
+static bool useCuda(const std::string& backend)
+{
+    if (backend == "cpu")
+    {
+        return false;
+    }
+#ifdef FSI_HAVE_CUDA
+    const bool there = cudaBackend::available();
+    const char* why = "no usable GPU was found";
+#else
+    const bool there = false;
+    const char* why = "this build has no CUDA";
+#endif
+    if (backend == "cuda" && !there)
+    {
+        throw userError
+        (
+            fmt::format("Backend cuda is not available: {}", why),
+            {},
+            "Set 'backend auto' or 'backend cpu' in system/controlDict."
+        );
+    }
+    return there;
+}
+
+
+std::unique_ptr<fluidSolver> fluidSolver::make
+(
+    const std::string& backend,
+    const std::string& precision,
+    const domain& d,
+    const fluidProperties& properties,
+    const particleSchemes& schemes,
+    hostState initial
+)
+{
+    checkPeriods(d);
+    if (useCuda(backend))
+    {
+#ifdef FSI_HAVE_CUDA
+        return newCudaSolver
+        (
+            precision, d, properties, schemes, std::move(initial)
+        );
+#endif
+    }
+    return newCpuSolver(precision, d, properties, schemes, std::move(initial));
+}
+
+} // namespace gpuFsi

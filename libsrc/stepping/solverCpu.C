@@ -1,0 +1,22 @@
+#include "stepping/backendSolvers.H"
+#include "stepping/particleSolver.H"
+
+namespace gpuFsi
+{
+
+std::unique_ptr<fluidSolver> newCpuSolver
+(
+    const std::string& precision,
+    const domain& d,
+    const fluidProperties& properties,
+    const particleSchemes& schemes,
+    hostState&& s
+)
+{
+    return makeSolver<cpuBackend>
+    (
+        precision, d, properties, schemes, std::move(s)
+    );
+}
+
+} // namespace gpuFsi

@@ -1,0 +1,71 @@
+#include "stepping/storageOrder.H"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace gpuFsi
+{
+
+//- Bricks are long in x, as reads are contiguous there
+static std::uint64_t brickKey(const vector& p, const domain& d)
+{
+    const auto cell = [&](double x, double lo)
+    {
+        const double c = std::floor((x - lo)/d.spacing) + 16;
+        return std::uint64_t(std::clamp(c, 0.0, 1048575.0));
+    };
+    const std::uint64_t x = cell(p.x, d.lo.x);
+    const std::uint64_t y = cell(p.y, d.lo.y);
+    const std::uint64_t z = d.dimensions == 3 ? cell(p.z, d.lo.z) : 0;
+
+    // Bits from the top: z brick, y brick, z in brick, y in brick, x
+    return (z >> 3) << 43 | (y >> 3) << 26 | (z & 7) << 23 | (y & 7) << 20 | x;
+}
+
+
+std::vector<int> storageOrder(const hostState& s, const domain& d)
+{
+    const std::size_t nWalls = s.walls.size();
+    std::vector<std::pair<std::uint64_t, int>> keys;
+    keys.reserve(nWalls + s.fluid.size());
+    for (std::size_t i = 0; i < nWalls; ++i)
+    {
+        keys.emplace_back(brickKey(s.walls.positions[i], d), int(i));
+    }
+    for (std::size_t i = 0; i < s.fluid.size(); ++i)
+    {
+        keys.emplace_back(brickKey(s.fluid.positions[i], d), int(nWalls + i));
+    }
+    std::sort(keys.begin(), keys.begin() + nWalls);
+    std::sort(keys.begin() + nWalls, keys.end());
+
+    std::vector<int> order(keys.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+        order[i] = keys[i].second;
+    }
+    return order;
+}
+
+
+std::string describeBreakdown(const hostState& s, int id)
+{
+    const std::size_t i = id - s.walls.size();
+    const vector& x = s.fluid.positions[i];
+    const vector& u = s.fluid.U[i];
+    const double rho = s.rho0 + s.fluid.deltaRho[i];
+    const bool velocity = !std::isfinite(u.x + u.y + u.z);
+    return fmt::format
+    (
+        "fluid particle {} at ({:.9g} {:.9g} {:.9g}): field {} = {}",
+        i, x.x, x.y, x.z,
+        velocity ? "U" : "rho",
+        velocity ? fmt::format("({} {} {})", u.x, u.y, u.z)
+                 : fmt::format("{}", rho)
+    );
+}
+
+} // namespace gpuFsi
