@@ -77,6 +77,20 @@ void Time::adjustDeltaT(double courant)
     {
         return;
     }
+    if (!std::isfinite(courant))
+    {
+        throw userError
+        (
+            fmt::format
+            (
+                "The Courant number is {} at time {}: the run has diverged",
+                courant, timeName()
+            ),
+            {},
+            "Restart from an earlier time with a smaller maxCo, or more "
+            "viscosity."
+        );
+    }
     const double ratio = m.controls.maxCo/std::max
     (
         courant,

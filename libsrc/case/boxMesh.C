@@ -3,6 +3,7 @@
 #include "case/foamFile.H"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -45,10 +46,23 @@ void writeBoxMesh
     double longest = 0;
     for (int d = 0; d < 3; ++d)
     {
-        developerAssert(high[d] >= low[d], "box mesh with lo above hi");
         longest = std::max(longest, high[d] - low[d]);
     }
-    developerAssert(longest > 0, "box mesh without extent");
+    const bool ordered =
+        lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z;
+    if (!ordered || !(longest > 0) || std::isinf(longest))
+    {
+        throw userError
+        (
+            fmt::format
+            (
+                "Cannot make a mesh of the box from ({} {} {}) to ({} {} {})",
+                lo.x, lo.y, lo.z, hi.x, hi.y, hi.z
+            ),
+            {},
+            "hi must be above lo."
+        );
+    }
     for (int d = 0; d < 3; ++d)
     {
         if (high[d] == low[d])    // a 2-D case: a cell needs a volume
@@ -90,6 +104,38 @@ void writeBoxMesh
         "1\n(\n    box\n    {\n        type            patch;\n"
         "        nFaces          6;\n        startFace       0;\n    }\n)"
     );
+}
+
+void writeReaderFiles(const std::filesystem::path& casePath)
+{
+    const auto writeNew =
+        [&](const std::filesystem::path& file, const std::string& text)
+    {
+        if (!std::filesystem::exists(casePath/file))
+        {
+            writeTextFile(casePath/file, text);
+        }
+    };
+    foamFile header;
+    header.cls = "dictionary";
+    header.location = "system";
+    header.object = "fvSchemes";
+    writeNew
+    (
+        "system/fvSchemes",
+        header.text() + "// For OpenFOAM's own programs; not read here\n\n"
+        "gradSchemes\n{}\n\ndivSchemes\n{}\n\nlaplacianSchemes\n{}\n"
+    );
+    header.object = "fvSolution";
+    writeNew
+    (
+        "system/fvSolution",
+        header.text() + "// For OpenFOAM's own programs; not read here\n"
+    );
+    const std::string name =
+        std::filesystem::absolute(casePath).lexically_normal().filename()
+       .string();
+    writeNew((name.empty() ? "case" : name) + ".foam", "");
 }
 
 } // namespace gpuFsi

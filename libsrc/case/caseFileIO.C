@@ -62,8 +62,9 @@ std::filesystem::path existingCaseFile(const std::filesystem::path& file)
 {
     std::filesystem::path zipped = file;
     zipped += ".gz";
-    const bool plain = std::filesystem::is_regular_file(file);
-    const bool gz = std::filesystem::is_regular_file(zipped);
+    std::error_code none;
+    const bool plain = std::filesystem::is_regular_file(file, none);
+    const bool gz = std::filesystem::is_regular_file(zipped, none);
     if (plain && gz)
     {
         throw userError

@@ -20,6 +20,13 @@ std::string triple(const vector& v)
     return fmt::format("({:.17g} {:.17g} {:.17g})", v.x, v.y, v.z);
 }
 
+std::string quoted(const std::string& word)
+{
+    return word.find_first_of(" \t'/;{}()$") == std::string::npos
+        ? word
+        : '"' + word + '"';
+}
+
 bool finite(const vector& v)
 {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -52,7 +59,7 @@ void domain::write(const std::filesystem::path& casePath) const
     std::string names;
     for (const std::string& wall : walls)
     {
-        names += (names.empty() ? "" : " ") + wall;
+        names += (names.empty() ? "" : " ") + quoted(wall);
     }
     writeTextFile
     (

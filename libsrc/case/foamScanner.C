@@ -176,7 +176,7 @@ double foamScanner::number(const std::string& what)
 long foamScanner::count()
 {
     const double value = number("the size of the list");
-    if (!(value >= 0) || value != double(long(value)))
+    if (!(value >= 0 && value < 1e18) || value != double(long(value)))
     {
         fail("The size of a list must be a whole number, not negative", "");
     }

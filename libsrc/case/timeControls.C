@@ -15,6 +15,19 @@ namespace
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+//- Read on behalf of others, or without effect here
+void markKnown(const dictionary& dict, const std::string& key)
+{
+    if (dict.isDict(key))
+    {
+        dict.subDict(key);
+    }
+    else if (dict.found(key))
+    {
+        dict.tokens(key);
+    }
+}
+
 double positive(const dictionary& dict, const std::string& key)
 {
     const double value = dict.get<double>(key);
@@ -28,6 +41,23 @@ double positive(const dictionary& dict, const std::string& key)
         );
     }
     return value;
+}
+
+int whole
+(
+    const dictionary& dict,
+    const std::string& key,
+    int otherwise,
+    int low,
+    int high
+)
+{
+    if (!dict.found(key))
+    {
+        return otherwise;
+    }
+    dict.getNumber(key, low, high);
+    return dict.get<int>(key);
 }
 
 timeControls::stop readStop(const dictionary& dict)
@@ -69,7 +99,7 @@ void readWriteInterval(const dictionary& dict, timeControls& controls)
 {
     if (controls.writeControl == timeControls::writing::none)
     {
-        dict.found("writeInterval");    // known, though without effect
+        markKnown(dict, "writeInterval");
         return;
     }
     const double interval = positive(dict, "writeInterval");
@@ -141,7 +171,7 @@ timeControls timeControls::read(const dictionary& dict)
 {
     for (const char* others : {"application", "libs", "functions"})
     {
-        dict.found(others);
+        markKnown(dict, others);
     }
     timeControls c;
     c.startFrom = dict.getChoiceOrDefault
@@ -162,20 +192,19 @@ timeControls timeControls::read(const dictionary& dict)
     }
     else
     {
-        dict.found("endTime");
+        markKnown(dict, "endTime");
     }
     c.deltaT = positive(dict, "deltaT");
     c.writeControl = readWriteControl(dict);
     readWriteInterval(dict, c);
-    c.purgeWrite = int(dict.getNumberOrDefault("purgeWrite", 0, 0, 1e9));
+    c.purgeWrite = whole(dict, "purgeWrite", 0, 0, 1000000000);
     c.output.binary = dict.getChoiceOrDefault
     (
         "writeFormat",
         "ascii",
         {"ascii", "binary"}
     ) == "binary";
-    c.output.precision =
-        int(dict.getNumberOrDefault("writePrecision", 6, 1, 17));
+    c.output.precision = whole(dict, "writePrecision", 6, 1, 17);
     c.output.compress = readCompression(dict, c.output.binary);
     c.timeFormat = dict.getChoiceOrDefault
     (
@@ -183,8 +212,7 @@ timeControls timeControls::read(const dictionary& dict)
         "general",
         {"general", "fixed", "scientific"}
     );
-    c.timePrecision =
-        int(dict.getNumberOrDefault("timePrecision", 6, 1, 17));
+    c.timePrecision = whole(dict, "timePrecision", 6, 1, 17);
     c.runTimeModifiable = dict.getOrDefault("runTimeModifiable", false);
     c.adjustTimeStep = dict.getOrDefault("adjustTimeStep", false);
     c.maxCo = 1;

@@ -82,7 +82,17 @@ std::vector<timeRange> parseRanges(const std::string& text)
 std::vector<instant> findTimes(const std::filesystem::path& casePath)
 {
     std::vector<instant> times;
-    for (const auto& entry : std::filesystem::directory_iterator(casePath))
+    std::error_code failed;
+    std::filesystem::directory_iterator entries(casePath, failed);
+    if (failed)
+    {
+        throw userError
+        (
+            "Cannot look for times in " + casePath.string() + ": "
+          + failed.message()
+        );
+    }
+    for (const auto& entry : entries)
     {
         const std::string name = entry.path().filename().string();
         double value;

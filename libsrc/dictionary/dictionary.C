@@ -251,16 +251,15 @@ dictionary dictionary::clone(const std::string& name) const
 }
 
 
-void dictionary::markAllRead() const
+std::size_t dictionary::markAllRead() const
 {
+    std::size_t n = 0;
     for (const auto& e : entries_)
     {
         e->read = true;
-        if (e->dict)
-        {
-            e->dict->markAllRead();
-        }
+        n += 1 + e->tokens.size() + (e->dict ? e->dict->markAllRead() : 0);
     }
+    return n;
 }
 
 } // namespace gpuFsi

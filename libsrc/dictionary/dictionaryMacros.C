@@ -10,7 +10,7 @@ namespace gpuFsi
 {
 
 //- More than this many tokens out of macros is taken for a runaway
-static constexpr std::size_t maxExpanded = 10000000;
+static constexpr std::size_t maxExpanded = 1000000;
 
 
 void dictionaryParser::countExpansion(std::size_t n, const token& macro)
@@ -156,8 +156,7 @@ dictionaryParser::expansion dictionaryParser::expand
                     );
                 }
             }
-            e->dict->markAllRead();
-            countExpansion(tokensText(e->tokens).size() + 1, macro);
+            countExpansion(e->dict->markAllRead(), macro);
             result.dict = e->dict.get();
             return result;
         }

@@ -315,6 +315,17 @@ dictionaryParser::tokenList dictionaryParser::readValue
             closeBracket(opens, t, e);
         }
 
+        else if (t.type == token::kind::punctuation && !t.is(';')
+         && (opens.empty() || !opens.back().is('[')))
+        {
+            fail
+            (
+                "A stray " + t.text + " in the value of '" + e.key + '\'', t,
+                t.is('/') ? "A path stands in quotes: \"a/b\"."
+              : "Values are separated by blanks only."
+            );
+        }
+
         if (isMacro(t))
         {
             const expansion found = expand(t, e.key);

@@ -22,6 +22,7 @@ static void defineNames(mu::Parser& parser)
 
     parser.DefineConst("pi", 3.14159265358979323846);
     parser.DefineConst("e", 2.71828182845904523536);
+    parser.DefineInfixOprt("!", [](double s) { return s == 0 ? 1.0 : 0.0; });
     one("sqr", [](double s) { return s*s; });
     one("mag", [](double s) { return std::fabs(s); });
     one("pos", [](double s) { return s > 0 ? 1.0 : 0.0; });
@@ -150,7 +151,7 @@ struct formula
             where,
             std::string("Known are ")
                 + (withVariables ? "x y z r t, " : "")
-                + "pi e, + - * / ^ < <= == != > >= && || c ? a : b, and"
+                + "pi e, + - * / ^ < <= == != > >= && || ! c ? a : b, and"
                   " functions such as sqrt exp log sin cos min max pow sqr"
                   " mag pos neg. C++ code is not run."
         );

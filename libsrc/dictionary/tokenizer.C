@@ -250,8 +250,8 @@ token tokenizer::macro()
 token tokenizer::wordOrNumber()
 {
     token t = begin(token::kind::word);
+    const sourceSpan here{file_, line_, line_};
     int depth = 0;
-    double value = 0;
     while (at_ < text_.size() && !endsWord(peek()))
     {
         const char c = peek();
@@ -259,7 +259,7 @@ token tokenizer::wordOrNumber()
         {
             break;
         }
-        if (c == '(' && depth == 0 && readNumber(t.text, value))
+        if (c == '(' && depth == 0 && readNumber(t.text, t.number, here))
         {
             break;
         }
@@ -291,7 +291,7 @@ token tokenizer::wordOrNumber()
             "A word holds no spaces; put a space before '(' to begin a list."
         );
     }
-    if (readNumber(t.text, t.number, {file_, line_, line_}))
+    if (readNumber(t.text, t.number, here))
     {
         t.type = token::kind::number;
     }

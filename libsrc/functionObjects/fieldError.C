@@ -130,14 +130,23 @@ private:
     {
         const auto values = fields::values(field_, set, state, info);
         const int n = fields::nComponents(field_);
+        std::vector<double> inside;
+        if (region_)
+        {
+            std::vector<vector> fromCentre;
+            for (const vector& p : set.positions)
+            {
+                fromCentre.push_back(p - centre_);
+            }
+            inside = region_->at(fromCentre, info.time);
+        }
         for (std::size_t i = 0; i < set.size(); ++i)
         {
-            const vector& p = set.positions[i];
-            if (region_ && (*region_)(p - centre_, info.time) == 0)
+            if (region_ && inside[i] == 0)
             {
                 continue;
             }
-            s.points.push_back(p);
+            s.points.push_back(set.positions[i]);
             s.volume.push_back(volume[i]);
             const auto first = values.begin() + n*i;
             s.values.insert(s.values.end(), first, first + n);

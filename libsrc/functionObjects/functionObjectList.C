@@ -6,14 +6,18 @@ namespace gpuFsi
 namespace
 {
 
-//- Keys of a model that is switched off are known all the same
+//- Entries of what is switched off are no user's slip
 void markRead(const dictionary& dict)
 {
     for (const std::string& key : dict.keys())
     {
-        if (dict.found(key) && dict.isDict(key))
+        if (dict.isDict(key))
         {
             markRead(dict.subDict(key));
+        }
+        else
+        {
+            dict.tokens(key);
         }
     }
 }
@@ -55,8 +59,11 @@ functionObjectList::functionObjectList
             markRead(dict);
             continue;
         }
-        // OpenFOAM names a shared library here; ours are linked in
-        dict.found("libs");
+        if (dict.found("libs"))
+        {
+            // OpenFOAM names a shared library here; ours are linked in
+            dict.tokens("libs");
+        }
         objects_.push_back
         (
             functionObject::selection::make

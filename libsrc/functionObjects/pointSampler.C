@@ -1,5 +1,7 @@
 #include "functionObjects/pointSampler.H"
 
+#include "functionObjects/localFit.H"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,7 +25,7 @@ pointSampler::scheme schemeOf(const dictionary& dict)
         : pointSampler::scheme::movingLeastSquares;
 }
 
-//- Wendland's kernel of q = d/(2 h)
+//- Wendland's kernel of q = distance/(reach h)
 double kernel(double q)
 {
     const double s = (1 - q)*(1 - q);
@@ -81,9 +83,9 @@ void pointSampler::update(const hostState& state)
 {
     dimensions_ = state.dimensions;
     nFluid_ = state.fluid.size();
-    if (radius_ != 2*state.h)
+    if (radius_ != reach*state.h)
     {
-        radius_ = 2*state.h;
+        radius_ = reach*state.h;
         cells_.clear();
         const int deep = dimensions_ == 3 ? 1 : 0;
         for (std::size_t i = 0; i < points_.size(); ++i)
@@ -136,7 +138,11 @@ void pointSampler::weigh(std::vector<link>& stencil) const
         stencil = {{nearest->particle, nearest->offset, 1}};
         return;
     }
-    if (scheme_ == scheme::movingLeastSquares && leastSquares(stencil))
+    if
+    (
+        scheme_ == scheme::movingLeastSquares
+     && (leastSquares(stencil, 2) || leastSquares(stencil, 1))
+    )
     {
         return;
     }
@@ -152,67 +158,48 @@ void pointSampler::weigh(std::vector<link>& stencil) const
 }
 
 
-bool pointSampler::leastSquares(std::vector<link>& stencil) const
+bool pointSampler::leastSquares(std::vector<link>& stencil, int order) const
 {
-    // Solve M lambda = e_0, M = sum w q q^T with q = (1 d): then the weights
-    // w lambda.q reproduce 1 and d = 0. Cholesky, M = L L^T.
-    const int n = dimensions_ + 1;
-    double m[4][4] = {};
+    // Solve M lambda = e_0, M = sum w q q^T with the polynomials q of the
+    // offset: the weights w lambda.q then reproduce them at offset 0
+    const int n = nPolynomials(dimensions_, order);
+    spdSystem m;
     for (const link& l : stencil)
     {
-        const double q[4] = {1, l.offset.x, l.offset.y, l.offset.z};
+        const polynomials q = polynomialsOf(l.offset, dimensions_);
         for (int a = 0; a < n; ++a)
         {
             for (int b = 0; b <= a; ++b)
             {
-                m[a][b] += l.weight*q[a]*q[b];
+                m.at[a][b] += l.weight*q[a]*q[b];
             }
         }
     }
-    const double least = 1e-4*m[0][0];
-    for (int a = 0; a < n; ++a)
+    polynomials lambda;
+    if (!m.solveFirst(n, lambda))
     {
-        for (int b = 0; b <= a; ++b)
+        return false;
+    }
+    std::vector<double> weights;
+    double magnitude = 0;
+    for (const link& l : stencil)
+    {
+        const polynomials q = polynomialsOf(l.offset, dimensions_);
+        double w = 0;
+        for (int a = 0; a < n; ++a)
         {
-            for (int k = 0; k < b; ++k)
-            {
-                m[a][b] -= m[a][k]*m[b][k];
-            }
-            if (a > b)
-            {
-                m[a][b] /= m[b][b];
-            }
-            else if (m[a][a] <= least)
-            {
-                return false;
-            }
-            else
-            {
-                m[a][a] = std::sqrt(m[a][a]);
-            }
+            w += lambda[a]*q[a];
         }
+        weights.push_back(w*l.weight);
+        magnitude += std::abs(weights.back());
     }
-    double lambda[4] = {1, 0, 0, 0};
-    for (int a = 0; a < n; ++a)
+    if (!(magnitude < 4))
     {
-        for (int k = 0; k < a; ++k)
-        {
-            lambda[a] -= m[a][k]*lambda[k];
-        }
-        lambda[a] /= m[a][a];
+        return false;
     }
-    for (int a = n - 1; a >= 0; --a)
+    for (std::size_t i = 0; i < stencil.size(); ++i)
     {
-        for (int k = a + 1; k < n; ++k)
-        {
-            lambda[a] -= m[k][a]*lambda[k];
-        }
-        lambda[a] /= m[a][a];
-    }
-    for (link& l : stencil)
-    {
-        l.weight *= lambda[0] + lambda[1]*l.offset.x + lambda[2]*l.offset.y
-            + lambda[3]*l.offset.z;
+        stencil[i].weight = weights[i];
     }
     return true;
 }

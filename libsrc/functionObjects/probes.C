@@ -57,8 +57,9 @@ public:
                     fmt::format
                     (
                         "Probe {} of {} at ({:g} {:g} {:g}) lies outside the"
-                        " fluid: no particle within 2 h = {:g}",
-                        i, name(), p.x, p.y, p.z, 2*state.h
+                        " fluid: no particle within {:g} m",
+                        i, name(), p.x, p.y, p.z,
+                        pointSampler::reach*state.h
                     ),
                     where_,
                     "Move the probe into the fluid."

@@ -20,7 +20,7 @@ timeControl::timeControl(const dictionary& dict, const std::string& prefix)
         key,
         1,
         std::numeric_limits<double>::min(),
-        std::numeric_limits<double>::max()
+        1e15
     );
     if (word == "none")
     {

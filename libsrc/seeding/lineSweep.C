@@ -113,8 +113,12 @@ private:
             nOutside -= !fluid_[e->region];
             fluid_[e->region] = e->crossing->enters;
             nOutside += !fluid_[e->region];
-            openLow = openLow && e->crossing->t > low + tolerance_;
-            openHigh = e->crossing->t < high - tolerance_;
+            const double end = e->crossing->t;
+            openLow = openLow
+             && (end < low - tolerance_ || end > lattice_.centre(axis, 0));
+            openHigh = openHigh
+             && (end > high + tolerance_
+              || end < lattice_.centre(axis, lattice_.n(axis) - 1));
             addCandidate(axis, line, e, first, last);
         }
         length += nOutside == 0 ? high - from : 0;

@@ -120,6 +120,7 @@ void paintCut
             colourOf(m, scene, colours)
         );
     }
+    canvas.closeGaps(0.8*where.spacing*place.scale);
     canvas.putOn(picture, place.left, place.top);
     paintAxes(picture, place, where, a, b);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace gpuFsi
 {
@@ -103,6 +104,67 @@ void raster::cell
         }
     };
     overDisc(factor_*x, factor_*y, factor_*radius, paint);
+}
+
+
+void raster::closeGaps(double reach)
+{
+    const int limit = std::max(1, static_cast<int>(factor_*reach));
+    static constexpr int ways[4][2]{{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+    std::vector<std::pair<std::size_t, rgb>> filled;
+    const auto firstAlong = [&](int i, int j, const int (&way)[2])
+    {
+        for (int s = 1; s <= limit; ++s)
+        {
+            const int x = i + s*way[0], y = j + s*way[1];
+            if (x < 0 || y < 0 || x >= width_ || y >= height_)
+            {
+                break;
+            }
+            if (depth_[static_cast<std::size_t>(y)*width_ + x] != infinite)
+            {
+                return s;
+            }
+        }
+        return limit + 1;
+    };
+    for (int j = 0; j < height_; ++j)
+    {
+        for (int i = 0; i < width_; ++i)
+        {
+            const std::size_t sample = static_cast<std::size_t>(j)*width_ + i;
+            if (depth_[sample] != infinite)
+            {
+                continue;
+            }
+            int nearest = limit + 1, x = i, y = j;
+            bool enclosed = true;
+            for (int w = 0; w < 4 && enclosed; ++w)
+            {
+                const int s = firstAlong(i, j, ways[w]);
+                enclosed = s <= limit;
+                if (s < nearest)
+                {
+                    nearest = s;
+                    x = i + s*ways[w][0];
+                    y = j + s*ways[w][1];
+                }
+            }
+            if (enclosed)
+            {
+                filled.emplace_back
+                (
+                    sample,
+                    colour_[static_cast<std::size_t>(y)*width_ + x]
+                );
+            }
+        }
+    }
+    for (const auto& [sample, colour] : filled)
+    {
+        colour_[sample] = colour;
+        depth_[sample] = 0;
+    }
 }
 
 

@@ -75,6 +75,10 @@ TEST_F(cloudIO, comesBackAsItWent)
             writeOptions{false, 17, true}
         })
         {
+            if (n > 1000 && options.compress)
+            {
+                continue;    // slow, and only the buffer's size matters
+            }
             std::filesystem::remove_all(path/"0.5");
             const cloud c = makeCloud(n);
             const std::size_t bytes = writeCloud(path/"0.5", c, options);
@@ -189,7 +193,7 @@ TEST_F(cloudIO, aFullDiskIsSaid)
         writeOptions{false, 6, true}
     })
     {
-        for (std::size_t n : {10, 500000})
+        for (std::size_t n : {10, 300000})
         {
             std::filesystem::remove_all(path/"0");
             std::filesystem::create_directories(path/"0/lagrangian/fluid");

@@ -18,7 +18,7 @@ domain sample()
     d.hi = {1, 2, 1e-3};
     d.periodic = {true, false, true};
     d.volume = 1./7;
-    d.walls = {"floor", "lid"};
+    d.walls = {"floor", "lid", "wall (1)"};
     return d;
 }
 

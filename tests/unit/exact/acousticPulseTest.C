@@ -25,7 +25,7 @@ fluidConstants fluidOf(double nu, int dimensions = 3)
 double bruteForce(double r, double t, double nu)
 {
     const double c = 1/std::sqrt(3.0);
-    const int n = 200000;
+    const int n = 20000;
     const double kMax = 8;
     long double sum = 0;
     for (int i = 1; i < n; ++i)

@@ -83,7 +83,7 @@ struct lineSolver
 TEST(piston, equalsAFineFiniteDifferenceSolver)
 {
     const double L = 2, c = 1.3, A = 0.01, omega = 2.1;
-    for (double nu : {0.4, 0.05, 0.0})
+    for (double nu : {0.4, 0.05})
     {
         const auto exact = make
         (
@@ -95,24 +95,28 @@ TEST(piston, equalsAFineFiniteDifferenceSolver)
         for (double T : {0.7, 5.0})
         {
             double error[2] = {0, 0};
-            const int sizes[2] = {100, 200};
             double size = 0;
             for (int level = 0; level < 2; ++level)
             {
-                const int n = sizes[level];
+                const int n = 100*(level + 1);
                 const lineSolver line(n, L, c, nu, A, omega, T);
+                std::vector<vector> cells, faces;
                 for (int i = 0; i < n; ++i)
                 {
-                    const double s = (i + 0.5)*L/n;
-                    const double rho =
-                        exact->scalar("deltaRho", {{s, 3, 4}}, T)[0];
-                    error[level] =
-                        std::max(error[level], std::abs(rho - line.rho[i]));
-                    size = std::max(size, std::abs(rho));
-                    const vector U =
-                        exact->vectors("U", {{i*L/n, 3, 4}}, T)[0];
-                    error[level] =
-                        std::max(error[level], std::abs(U.x - line.v[i]));
+                    cells.push_back({(i + 0.5)*L/n, 3, 4});
+                    faces.push_back({i*L/n, 3, 4});
+                }
+                const auto rho = exact->scalar("deltaRho", cells, T);
+                const auto U = exact->vectors("U", faces, T);
+                for (int i = 0; i < n; ++i)
+                {
+                    error[level] = std::max
+                    ({
+                        error[level],
+                        std::abs(rho[i] - line.rho[i]),
+                        std::abs(U[i].x - line.v[i])
+                    });
+                    size = std::max(size, std::abs(rho[i]));
                 }
             }
             EXPECT_GT(size, 2e-3);
@@ -184,23 +188,37 @@ TEST(piston, startsFromRest)
 }
 
 
-TEST(piston, inviscidFirstWaveIsTheDelayedWallVelocity)
+TEST(piston, inviscidWavesAreDelayedImagesOfTheWall)
 {
-    // Before the reflection: v(s, t) = u(t - s/c), deltaRho = rho0 v/c
+    // d'Alembert: v = sum_m u(t - (s + 2 m L)/c) - u(t - (2 (m+1) L - s)/c),
+    // deltaRho = rho0/c times the same sum with a plus
+    const double L = 2, c = 1.5;
     const auto exact = make
     (
-        "piston", "length 2; amplitude 0.01; omega 3;", 1.5, 0
+        "piston", "length 2; amplitude 0.01; omega 3;", c, 0
     );
-    const double t = 1.1;
-    for (double s : {0.0, 0.4, 1.0, 1.64, 1.66, 1.9})
+    const auto u = [](double t)
     {
-        const double delayed = t - s/1.5;
-        const double u = delayed > 0 ? 0.03*std::sin(3*delayed) : 0;
-        EXPECT_NEAR(exact->vectors("U", {{s, 0, 0}}, t)[0].x, u, 1e-9) << s;
-        EXPECT_NEAR
-        (
-            exact->scalar("deltaRho", {{s, 0, 0}}, t)[0], u/1.5, 1e-9
-        ) << s;
+        return t > 0 ? 0.03*std::sin(3*t) : 0;
+    };
+    for (double t : {0.3, 1.1, 2.5, 12.3})
+    {
+        for (double s : {0.0, 0.4, 1.0, 1.64, 1.66, 2.0})
+        {
+            double v = 0;
+            double rho = 0;
+            for (int m = 0; m < 20; ++m)
+            {
+                const double right = u(t - (s + 2*m*L)/c);
+                const double left = u(t - (2*(m + 1)*L - s)/c);
+                v += right - left;
+                rho += (right + left)/c;
+            }
+            EXPECT_NEAR(exact->vectors("U", {{s, 0, 0}}, t)[0].x, v, 1e-9)
+                << s << " " << t;
+            EXPECT_NEAR(exact->scalar("deltaRho", {{s, 0, 0}}, t)[0], rho, 1e-9)
+                << s << " " << t;
+        }
     }
 }
 

@@ -1,0 +1,233 @@
+#include "seedFiles.H"
+
+#include "case/caseFileIO.H"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace gpuFsi
+{
+
+namespace
+{
+
+std::vector<double> evaluateRho
+(
+    const seedField& field,
+    const std::vector<vector>& points
+)
+{
+    std::vector<double> rho = field.components[0].at(points);
+    for (std::size_t i = 0; i < rho.size(); ++i)
+    {
+        if (!(rho[i] > 0))
+        {
+            const vector& p = points[i];
+            throw userError
+            (
+                fmt::format
+                (
+                    "rho is {} at ({} {} {})", rho[i], p.x, p.y, p.z
+                ),
+                field.where,
+                "A density is positive everywhere."
+            );
+        }
+    }
+    return rho;
+}
+
+void addField(cloud& to, const seedField& field)
+{
+    if (field.name == "rho")
+    {
+        to.addScalar("rho", evaluateRho(field, to.positions));
+        return;
+    }
+    std::vector<std::vector<double>> values;
+    for (const expression& e : field.components)
+    {
+        values.push_back(e.at(to.positions));
+    }
+    if (values.size() == 1)
+    {
+        to.addScalar(field.name, std::move(values[0]));
+        return;
+    }
+    std::vector<vector> vectors(to.size());
+    for (std::size_t i = 0; i < to.size(); ++i)
+    {
+        vectors[i] = {values[0][i], values[1][i], values[2][i]};
+    }
+    to.addVector(field.name, vectors);
+}
+
+cloud makeFluid(const seedSettings& settings, const seededParticles& seeded)
+{
+    cloud fluid;
+    fluid.name = "fluid";
+    fluid.positions = seeded.bulk;
+    for (const seedField& field : settings.fields)
+    {
+        addField(fluid, field);
+    }
+    const lattice& l = *settings.mesh;
+    std::vector<double> mass = fluid.find("rho")->values;
+    for (double& m : mass)
+    {
+        m *= std::pow(l.h(), l.dimensions());
+    }
+    fluid.addScalar("m", std::move(mass));
+    return fluid;
+}
+
+cloud makeWalls(const seedSettings& settings, const seededParticles& seeded)
+{
+    cloud walls;
+    walls.name = "walls";
+    std::vector<vector> normals;
+    std::vector<double> areas;
+    std::vector<double> patches;
+    for (const wallParticle& w : seeded.walls)
+    {
+        walls.positions.push_back(w.position);
+        normals.push_back(w.normal);
+        areas.push_back(w.area);
+        patches.push_back(w.patch);
+    }
+    for (const seedField& field : settings.fields)
+    {
+        if (field.name == "rho")
+        {
+            addField(walls, field);
+        }
+    }
+    // Walls rest until their motion is given to the solver
+    walls.addVector("U", std::vector<vector>(walls.size(), {0, 0, 0}));
+    walls.addVector("normal", normals);
+    walls.addScalar("area", std::move(areas));
+    walls.addLabel("patch", std::move(patches));
+    return walls;
+}
+
+} // namespace
+
+writeOptions readWriteOptions(const std::filesystem::path& casePath)
+{
+    const dictionary dict =
+        dictionary::fromFile(casePath/"system/controlDict");
+    writeOptions options;
+    options.binary =
+        dict.getChoiceOrDefault("writeFormat", "binary", {"ascii", "binary"})
+     == "binary";
+    options.precision = int(dict.getNumberOrDefault("writePrecision", 6, 1, 17));
+    const std::string compression = dict.getChoiceOrDefault
+    (
+        "writeCompression",
+        "off",
+        {
+            "on", "off", "true", "false", "yes", "no", "y", "n", "t", "f",
+            "compressed", "uncompressed"
+        }
+    );
+    for (const char* on : {"on", "true", "yes", "y", "t", "compressed"})
+    {
+        options.compress |= compression == on && !options.binary;
+    }
+    return options;
+}
+
+
+std::vector<cloud> makeClouds
+(
+    const seedSettings& settings,
+    const seededParticles& seeded
+)
+{
+    std::vector<cloud> clouds;
+    clouds.push_back(makeFluid(settings, seeded));
+    clouds.push_back(makeWalls(settings, seeded));
+    return clouds;
+}
+
+
+domain makeDomain
+(
+    const seedSettings& settings,
+    const seededParticles& seeded
+)
+{
+    const lattice& l = *settings.mesh;
+    domain d;
+    d.dimensions = l.dimensions();
+    d.spacing = l.h();
+    d.lo = l.lo();
+    d.hi = l.hi();
+    d.periodic = {l.periodic(0), l.periodic(1), l.periodic(2)};
+    d.volume = seeded.volume;
+    for (const auto& region : settings.regions)
+    {
+        d.walls.push_back(region->name());
+    }
+    return d;
+}
+
+
+std::size_t writeSeed
+(
+    const std::filesystem::path& casePath,
+    const std::string& caseName,
+    const std::vector<cloud>& clouds,
+    const domain& d,
+    const writeOptions& options
+)
+{
+    namespace fs = std::filesystem;
+    std::size_t bytes = 0;
+
+    // Headers name the time folder: write into one of that name
+    const fs::path aside = casePath/".seedParticles.partial";
+    fs::remove_all(aside);
+    try
+    {
+        for (const cloud& c : clouds)
+        {
+            bytes += writeCloud(aside/"0", c, options);
+        }
+        d.write(aside);
+        const double half = 0.5*d.spacing;
+        const vector margin{half, half, half};
+        writeBoxMesh(aside, d.lo - margin, d.hi + margin);
+
+        fs::create_directories(casePath/"0");
+        fs::create_directories(casePath/"constant");
+        fs::remove_all(casePath/"0/lagrangian");
+        fs::rename(aside/"0/lagrangian", casePath/"0/lagrangian");
+        fs::remove_all(casePath/"constant/polyMesh");
+        fs::rename(aside/"constant/polyMesh", casePath/"constant/polyMesh");
+        fs::rename(aside/"constant/domain", casePath/"constant/domain");
+        writeTextFile(casePath/(caseName + ".foam"), "");
+    }
+    catch (const fs::filesystem_error& e)
+    {
+        std::error_code ignored;
+        fs::remove_all(aside, ignored);
+        throw userError
+        (
+            std::string("Cannot write the case: ") + e.what(),
+            {},
+            "Check the disk and the permissions of the case directory."
+        );
+    }
+    catch (...)
+    {
+        std::error_code ignored;
+        fs::remove_all(aside, ignored);
+        throw;
+    }
+    fs::remove_all(aside);
+    return bytes;
+}
+
+} // namespace gpuFsi

@@ -1,0 +1,12 @@
+#include "lattice.H"
+
+using namespace gpuFsi;
+
+TEST(annotated, isValidAndReadToTheLastKey)
+{
+    testRun run;
+    const dictionary dict = dictionary::fromFile(FSI_ANNOTATED);
+    functionObjectList list(dict, run.info);
+    EXPECT_EQ(list.size(), 10u);
+    EXPECT_EQ(dict.unread(), std::vector<std::string>{});
+}

@@ -1,0 +1,196 @@
+// The cuda backend against the cpu backend in double precision.
+
+#include "common/column.H"
+#include "common/fluids.H"
+#include "common/lattice.H"
+#include "device/backend.H"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+using namespace gpuFsi;
+
+namespace
+{
+
+bool noGpu()
+{
+#ifdef FSI_HAVE_CUDA
+    return !cudaBackend::available();
+#else
+    return true;
+#endif
+}
+
+#define NEEDS_GPU \
+    if (noGpu()) GTEST_SKIP() << "no GPU here: cuda backend not compared"
+
+struct scene
+{
+    domain space;
+    fluidProperties fluid;
+    particleSchemes schemes;
+    hostState state;
+    double dt;
+};
+
+hostState run(const scene& s, const char* backend, const char* precision)
+{
+    const auto solver = fluidSolver::make
+    (
+        backend, precision, s.space, s.fluid, s.schemes, s.state
+    );
+    for (int k = 0; k < 60; ++k)
+    {
+        solver->step(k*s.dt, s.dt);
+        if (solver->wantsLook())
+        {
+            solver->look((k + 1)*s.dt);
+        }
+    }
+    solver->look(60*s.dt);
+    return solver->download();
+}
+
+//- Largest difference over the largest value
+double difference(const hostState& a, const hostState& b)
+{
+    double rho = 0, u = 0, worstRho = 0, worstU = 0, worstX = 0;
+    for (std::size_t i = 0; i < a.fluid.size(); ++i)
+    {
+        const vector dU = a.fluid.U[i] - b.fluid.U[i];
+        const vector dX = a.fluid.positions[i] - b.fluid.positions[i];
+        rho = std::max(rho, std::abs(a.fluid.deltaRho[i]));
+        u = std::max(u, std::sqrt(dot(a.fluid.U[i], a.fluid.U[i])));
+        worstRho = std::max
+        (
+            worstRho, std::abs(a.fluid.deltaRho[i] - b.fluid.deltaRho[i])
+        );
+        worstU = std::max(worstU, std::sqrt(dot(dU, dU)));
+        worstX = std::max(worstX, std::sqrt(dot(dX, dX)));
+    }
+    return std::max({worstRho/rho, worstU/u, worstX});
+}
+
+bool sameBytes(const hostState& a, const hostState& b)
+{
+    const auto same = [](const auto& u, const auto& v)
+    {
+        return std::memcmp(u.data(), v.data(), u.size()*sizeof(u[0])) == 0;
+    };
+    return same(a.fluid.positions, b.fluid.positions)
+      && same(a.fluid.U, b.fluid.U)
+      && same(a.fluid.deltaRho, b.fluid.deltaRho)
+      && same(a.walls.deltaRho, b.walls.deltaRho);
+}
+
+scene pulse(int dimensions, double displace, double amplitude)
+{
+    scene s{};
+    s.space = periodicBox(dimensions == 3 ? 24 : 60, dimensions, 15);
+    s.fluid = publishedFluid();
+    s.schemes = defaultSchemes(s.space);
+    s.state = latticeState(s.space, amplitude, 5, displace);
+    s.dt = 0.02;
+    return s;
+}
+
+scene piston(particleSchemes::search method)
+{
+    scene s{};
+    s.space = columnDomain(40, 6, 1);
+    s.fluid = publishedFluid(0.01);
+    s.fluid.g = {0.1, 0, 0};
+    s.fluid.motions.resize(2);
+    s.fluid.motions[0] = wallMotion::make(dictionary::fromString
+    (
+        "type oscillation; amplitude (0.02 0 0); omega 3; phase 0;", "wall"
+    ));
+    s.schemes = defaultSchemes(s.space);
+    s.schemes.method = method;
+    s.schemes.update = particleSchemes::trigger::interval;
+    s.schemes.interval = 10;
+    s.state = columnState(s.space);
+    s.dt = 0.005;
+    return s;
+}
+
+} // namespace
+
+TEST(cuda, pulseAgreesWithCpuInDouble)
+{
+    NEEDS_GPU;
+    for (int D : {2, 3})
+    {
+        for (double displace : {0.0, 0.2})
+        {
+            const scene s = pulse(D, displace, 0.01);
+            EXPECT_LT(difference(run(s, "cuda", "double"),
+                run(s, "cpu", "double")), 1e-12) << D << "-D " << displace;
+        }
+    }
+}
+
+TEST(cuda, everyEquationOfStateAgrees)
+{
+    NEEDS_GPU;
+    for (double gamma : {7.0, 1.4})
+    {
+        scene s = pulse(3, 0.1, 0.1);
+        s.fluid.eos = fluidProperties::state::Tait;
+        s.fluid.gamma = gamma;
+        EXPECT_LT(difference(run(s, "cuda", "double"),
+            run(s, "cpu", "double")), 1e-12) << gamma;
+    }
+}
+
+TEST(cuda, wallsAndBothSearchesAgree)
+{
+    NEEDS_GPU;
+    for (auto method : {particleSchemes::search::cellSearch,
+        particleSchemes::search::localUpdate})
+    {
+        const scene s = piston(method);
+        EXPECT_LT(difference(run(s, "cuda", "double"),
+            run(s, "cpu", "double")), 1e-12);
+    }
+}
+
+TEST(cuda, singleFollowsDouble)
+{
+    NEEDS_GPU;
+    const scene s = pulse(3, 0, 0.01);
+    const hostState a = run(s, "cuda", "single");
+    const hostState b = run(s, "cpu", "double");
+    double worst = 0;
+    for (std::size_t i = 0; i < a.fluid.size(); ++i)
+    {
+        worst = std::max(worst,
+            std::abs(a.fluid.deltaRho[i] - b.fluid.deltaRho[i]));
+    }
+    EXPECT_LT(worst, 1e-5*0.01);
+}
+
+TEST(cuda, twoRunsHaveTheSameBytes)
+{
+    NEEDS_GPU;
+    for (const char* precision : {"single", "double"})
+    {
+        const scene s = pulse(3, 0.2, 0.1);
+        EXPECT_TRUE(sameBytes(run(s, "cuda", precision),
+            run(s, "cuda", precision)));
+        const scene p = piston(particleSchemes::search::localUpdate);
+        EXPECT_TRUE(sameBytes(run(p, "cuda", precision),
+            run(p, "cuda", precision)));
+    }
+}
+
+TEST(cuda, breakdownIsReported)
+{
+    NEEDS_GPU;
+    scene s = pulse(3, 0, 0.1);
+    s.dt = 20;
+    EXPECT_THROW(run(s, "cuda", "single"), brokenState);
+}
