@@ -152,6 +152,27 @@ void appendBinary(caseFileWriter& out, const cloudField& field, bool labels)
     out.append(")\n");
 }
 
+//- Without this OpenFOAM looks for barycentric coordinates and, finding none,
+//  takes the cloud to be empty
+std::size_t writeCloudProperties
+(
+    const std::filesystem::path& timeDirectory,
+    const std::string& cloudName
+)
+{
+    const std::filesystem::path place =
+        std::filesystem::path("uniform/lagrangian")/cloudName;
+    foamFile header;
+    header.cls = "dictionary";
+    header.location = (timeDirectory.filename()/place).string();
+    header.object = "cloudProperties";
+    return writeTextFile
+    (
+        timeDirectory/place/"cloudProperties",
+        header.text() + "geometry        positions;\n"
+    );
+}
+
 bool allEqual(const std::vector<double>& values, int n)
 {
     for (std::size_t i = n; i < values.size(); ++i)
@@ -223,7 +244,8 @@ std::size_t writeCloud
     const std::filesystem::path directory =
         timeDirectory/"lagrangian"/particles.name;
     const bool compress = options.compress && !options.binary;
-    std::size_t written = 0;
+    std::size_t written =
+        writeCloudProperties(timeDirectory, particles.name);
 
     const auto writeFile =
         [&](const std::string& cls, const std::string& name, auto&& body)

@@ -156,7 +156,7 @@ const dictionary& dictionary::subDict(const std::string& key) const
 const entry& dictionary::primitive
 (
     const std::string& key,
-    const char* what
+    const std::string& what
 ) const
 {
     ask(key);

@@ -1,5 +1,7 @@
 #include "dictionary/dictionaryParser.H"
 
+#include "dictionary/number.H"
+
 namespace gpuFsi
 {
 
@@ -72,19 +74,10 @@ bool dictionaryParser::condition(tokenizer& in, const token& directive)
         {
             return line[0].number != 0;
         }
-        for (const char* word : {"true", "on", "yes", "y", "t"})
+        bool holds = false;
+        if (readSwitch(line[0].text, holds))
         {
-            if (line[0].text == word)
-            {
-                return true;
-            }
-        }
-        for (const char* word : {"false", "off", "no", "n", "f"})
-        {
-            if (line[0].text == word)
-            {
-                return false;
-            }
+            return holds;
         }
     }
     fail

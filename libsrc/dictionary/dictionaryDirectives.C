@@ -317,18 +317,28 @@ void dictionaryParser::readFile
         std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()
     };
     files_.push_back(same);
-    tokenizer in(text, file.string());
     if (into)
     {
         entry value;
         value.key = "#include";
         value.where = asked;
-        tokenizer wrapped(text + "\n;", file.string());
-        const tokenList tokens = readValue(wrapped, value);
+        tokenizer in(text + "\n;", file.string());
+        const tokenList tokens = readValue(in, value);
+        token more;
+        if (value.dict || in.next(more))
+        {
+            throw userError
+            (
+                "File \"" + file.string() + "\" does not hold plain values",
+                asked,
+                "Within a value, an included file has no keys and no ';'."
+            );
+        }
         into->insert(into->end(), tokens.begin(), tokens.end());
     }
     else
     {
+        tokenizer in(text, file.string());
         readBody(in, nullptr);
     }
     files_.pop_back();

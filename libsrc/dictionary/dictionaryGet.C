@@ -1,13 +1,12 @@
 #include "dictionary/dictionary.H"
 
 #include "dictionary/entry.H"
-#include "dictionary/tokenizer.H"
+#include "dictionary/number.H"
 #include "dictionary/unitText.H"
+#include "dictionary/valueForm.H"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <limits>
 
 namespace gpuFsi
 {
@@ -16,198 +15,6 @@ namespace
 {
 
 using tokenList = std::vector<token>;
-
-//- Reads one T at tokens[i] and moves i behind it; false if there is none
-template<class T> struct form;
-
-template<> struct form<double>
-{
-    static constexpr const char* name = "a number";
-
-    static bool read(const tokenList& tokens, std::size_t& i, double& value)
-    {
-        if (i >= tokens.size() || tokens[i].type != token::kind::number)
-        {
-            return false;
-        }
-        value = tokens[i++].number;
-        return true;
-    }
-};
-
-template<class Integer>
-struct integerForm
-{
-    static constexpr const char* name = "an integer";
-
-    static bool read(const tokenList& tokens, std::size_t& i, Integer& value)
-    {
-        if (i >= tokens.size() || tokens[i].type != token::kind::number)
-        {
-            return false;
-        }
-        const std::string& text = tokens[i].text;
-        const char* last = text.data() + text.size();
-        const char* first = text.data() + (text[0] == '+');
-        const auto [end, status] = std::from_chars(first, last, value);
-        if (end != last || status != std::errc())
-        {
-            // 1e6 is an integer too, as far as a double is exact
-            const double number = tokens[i].number;
-            if
-            (
-                number != std::floor(number)
-             || std::fabs(number) > 9007199254740992.0
-             || number < double(std::numeric_limits<Integer>::min())
-             || number > double(std::numeric_limits<Integer>::max())
-            )
-            {
-                return false;
-            }
-            value = Integer(number);
-        }
-        ++i;
-        return true;
-    }
-};
-
-template<> struct form<int> : integerForm<int> {};
-template<> struct form<long> : integerForm<long> {};
-
-template<> struct form<bool>
-{
-    static constexpr const char* name =
-        "a switch (true on yes y t or false off no n f)";
-
-    static bool read(const tokenList& tokens, std::size_t& i, bool& value)
-    {
-        if (i >= tokens.size())
-        {
-            return false;
-        }
-        for (const char* word : {"true", "on", "yes", "y", "t", "1"})
-        {
-            if (tokens[i].text == word)
-            {
-                value = true;
-                ++i;
-                return true;
-            }
-        }
-        for (const char* word : {"false", "off", "no", "n", "f", "0"})
-        {
-            if (tokens[i].text == word)
-            {
-                value = false;
-                ++i;
-                return true;
-            }
-        }
-        return false;
-    }
-};
-
-template<> struct form<std::string>
-{
-    static constexpr const char* name = "a word or string";
-
-    static bool read
-    (
-        const tokenList& tokens,
-        std::size_t& i,
-        std::string& value
-    )
-    {
-        if (i >= tokens.size() || tokens[i].type == token::kind::punctuation)
-        {
-            return false;
-        }
-        value = tokens[i++].text;
-        return true;
-    }
-};
-
-template<> struct form<vector>
-{
-    static constexpr const char* name = "a vector (x y z)";
-
-    static bool read(const tokenList& tokens, std::size_t& i, vector& v)
-    {
-        if (i >= tokens.size() || !tokens[i].is('('))
-        {
-            return false;
-        }
-        std::size_t j = i + 1;
-        using number = form<double>;
-        if
-        (
-            !number::read(tokens, j, v.x)
-         || !number::read(tokens, j, v.y)
-         || !number::read(tokens, j, v.z)
-         || j >= tokens.size()
-         || !tokens[j].is(')')
-        )
-        {
-            return false;
-        }
-        i = j + 1;
-        return true;
-    }
-};
-
-template<class T> struct form<std::vector<T>>
-{
-    static inline const std::string text =
-        std::string("a list, (..) N(..) or N{..}, of which each is ")
-      + form<T>::name;
-    static inline const char* const name = text.c_str();
-
-    static bool read
-    (
-        const tokenList& tokens,
-        std::size_t& i,
-        std::vector<T>& list
-    )
-    {
-        list.clear();
-        int count = -1;
-        if (form<int>::read(tokens, i, count) && count < 0)
-        {
-            return false;
-        }
-        if (i >= tokens.size())
-        {
-            return count == 0;
-        }
-        if (tokens[i].is('{') && count >= 0 && count <= 100000000)
-        {
-            T value{};
-            if (!form<T>::read(tokens, ++i, value) || i >= tokens.size()
-             || !tokens[i].is('}'))
-            {
-                return false;
-            }
-            ++i;
-            list.assign(std::size_t(count), value);
-            return true;
-        }
-        if (!tokens[i].is('('))
-        {
-            return false;
-        }
-        for (++i; i < tokens.size() && !tokens[i].is(')');)
-        {
-            T value{};
-            if (!form<T>::read(tokens, i, value))
-            {
-                return false;
-            }
-            list.push_back(value);
-        }
-        return i++ < tokens.size()
-            && (count < 0 || std::size_t(count) == list.size());
-    }
-};
 
 
 //- Skips a name and [dimensions] in front of a value
@@ -272,16 +79,19 @@ T readWhole
 {
     T value{};
     std::size_t i = begin;
-    if (form<T>::read(e.tokens, i, value) && i == e.tokens.size())
+    if (valueForm<T>::read(e.tokens, i, value) && i == e.tokens.size())
     {
         return value;
     }
     std::string remedy;
     const tokenList& t = e.tokens;
+    int depth = 0;
     for (std::size_t j = 0; j + 1 < t.size() && remedy.empty(); ++j)
     {
-        if (t[j + 1].line > t[0].line && t[0].line == t[j].line
-         && !t[j].is('(') && !t[j + 1].is('('))
+        depth += t[j].is('(') || t[j].is('[');
+        depth -= t[j].is(')') || t[j].is(']');
+        if (depth == 0 && t[j + 1].line > t[j].line
+         && t[j + 1].type == token::kind::word)
         {
             remedy = "Is a ';' missing at the end of line "
                 + std::to_string(t[j].line) + '?';
@@ -295,7 +105,7 @@ T readWhole
     throw userError
     (
         "Entry '" + e.key + "' in dictionary \"" + dictionaryName + "\" is "
-            + described(t) + ", " + form<T>::name + " was expected",
+            + described(t) + ", " + valueForm<T>::name() + " was expected",
         e.where,
         remedy
     );
@@ -307,7 +117,7 @@ T readWhole
 template<class T>
 T dictionary::get(const std::string& key) const
 {
-    const entry& e = primitive(key, form<T>::name);
+    const entry& e = primitive(key, valueForm<T>::name());
     return readWhole<T>(e, name_, skipDimensions(e, nullptr));
 }
 
@@ -370,7 +180,7 @@ double dictionary::getDimensioned
     const dimensionSet& expected
 ) const
 {
-    const entry& e = primitive(key, form<double>::name);
+    const entry& e = primitive(key, valueForm<double>::name());
     return readWhole<double>(e, name_, skipDimensions(e, &expected));
 }
 
@@ -381,7 +191,7 @@ vector dictionary::getDimensionedVector
     const dimensionSet& expected
 ) const
 {
-    const entry& e = primitive(key, form<vector>::name);
+    const entry& e = primitive(key, valueForm<vector>::name());
     return readWhole<vector>(e, name_, skipDimensions(e, &expected));
 }
 

@@ -1,6 +1,7 @@
 #include "dictionary/dictionaryParser.H"
 
 #include "dictionary/expression.H"
+#include "dictionary/number.H"
 
 #include <algorithm>
 #include <cctype>

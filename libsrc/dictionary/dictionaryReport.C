@@ -74,13 +74,11 @@ std::string dictionary::toText(int indent) const
 
 std::vector<std::string> dictionary::unread() const
 {
-    std::vector<std::string> absent;
+    // A key that is missing is more likely meant than one that is there too
+    std::vector<std::string> absent, present;
     for (const std::string& key : *askedFor_)
     {
-        if (!literal(key))
-        {
-            absent.push_back(key);
-        }
+        (literal(key) ? present : absent).push_back(key);
     }
 
     std::vector<std::string> list;
@@ -115,7 +113,11 @@ std::vector<std::string> dictionary::unread() const
         std::string near = nearestWord(e->key, absent);
         if (near.empty())
         {
-            near = nearestWord(e->key, *askedFor_);
+            near = nearestWord(e->key, present);
+        }
+        if (near == e->key)
+        {
+            near.clear();
         }
         list.push_back
         (

@@ -1,6 +1,6 @@
 #include "dictionary/expression.H"
 
-#include "dictionary/tokenizer.H"
+#include "dictionary/number.H"
 
 #include <muParser.h>
 

@@ -1,4 +1,4 @@
-#include "dictionary/tokenizer.H"
+#include "dictionary/number.H"
 
 #include <cctype>
 #include <charconv>
@@ -52,6 +52,22 @@ bool readNumber
     }
     value = result;
     return true;
+}
+
+
+bool readSwitch(const std::string& text, bool& value)
+{
+    static const char* const words[] =
+        {"true", "on", "yes", "y", "t", "false", "off", "no", "n", "f"};
+    for (int i = 0; i < 10; ++i)
+    {
+        if (text == words[i])
+        {
+            value = i < 5;
+            return true;
+        }
+    }
+    return false;
 }
 
 

@@ -1,5 +1,7 @@
 #include "dictionary/tokenizer.H"
 
+#include "dictionary/number.H"
+
 #include <cctype>
 #include <cstring>
 
@@ -29,7 +31,13 @@ tokenizer::tokenizer(std::string text, std::string file)
 :
     text_(std::move(text)),
     file_(std::move(file))
-{}
+{
+    // Some editors begin a file with a byte order mark
+    if (text_.compare(0, 3, "\xEF\xBB\xBF") == 0)
+    {
+        at_ = 3;
+    }
+}
 
 
 char tokenizer::peek(std::size_t ahead) const

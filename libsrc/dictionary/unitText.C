@@ -1,6 +1,6 @@
 #include "dictionary/unitText.H"
 
-#include "dictionary/tokenizer.H"
+#include "dictionary/number.H"
 
 #include <cctype>
 #include <cstring>

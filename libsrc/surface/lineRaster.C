@@ -135,7 +135,10 @@ private:
         {
             for (long i = iBegin; i <= iEnd; ++i)
             {
-                const flat q{lattice_.centre(lower, i), lattice_.centre(upper, j)};
+                const flat q
+                {
+                    lattice_.centre(lower, i), lattice_.centre(upper, j)
+                };
                 if
                 (
                     movedSide(c[0], c[1], q) == whole
@@ -198,7 +201,8 @@ private:
         });
     }
 
-    //- Lattice point along x, exactly decided where round-off might matter
+    //- Lattice point along x, decided exactly; one on the surface counts as
+    //  beyond it
     long firstBeyond
     (
         std::size_t line,
@@ -207,37 +211,33 @@ private:
         bool leaves
     ) const
     {
-        const double place =
-            (t - lattice_.lo().x)/lattice_.h() - 0.5;
-        const double n = double(lattice_.n(0));
-        long first = long(std::ceil(std::clamp(place, 0.0, n)));
-        const long nearest = std::lround(std::clamp(place, -1.0, n));
-        if
-        (
-            std::abs(place - nearest) > 1e-6
-         || nearest < 0 || nearest >= lattice_.n(0)
-        )
-        {
-            return first;
-        }
-        const vector q =
-            lattice_.point(lattice_.firstPoint(0, line) + nearest);
         const auto exact = [](const vector& p)
         {
             return kernel::Point_3(p.x, p.y, p.z);
         };
-        const auto where = CGAL::orientation
-        (
-            exact(surface_.corner(triangle, 0)),
-            exact(surface_.corner(triangle, 1)),
-            exact(surface_.corner(triangle, 2)),
-            exact(q)
-        );
-        // Positive: on the side that the outer normal points to. On the
-        // plane itself the point counts as beyond.
-        const bool beyond =
-            where == CGAL::COPLANAR || (where == CGAL::POSITIVE) == leaves;
-        return beyond ? nearest : nearest + 1;
+        const auto a = exact(surface_.corner(triangle, 0));
+        const auto b = exact(surface_.corner(triangle, 1));
+        const auto c = exact(surface_.corner(triangle, 2));
+        const std::size_t start = lattice_.firstPoint(0, line);
+        const auto beyond = [&](long i)
+        {
+            const auto where =
+                CGAL::orientation(a, b, c, exact(lattice_.point(start + i)));
+            return where == CGAL::COPLANAR
+                || (where == CGAL::POSITIVE) == leaves;
+        };
+        const long n = lattice_.n(0);
+        const double place = (t - lattice_.lo().x)/lattice_.h() - 0.5;
+        long first = long(std::ceil(std::clamp(place, 0.0, double(n))));
+        while (first < n && !beyond(first))
+        {
+            ++first;
+        }
+        while (first > 0 && beyond(first - 1))
+        {
+            --first;
+        }
+        return first;
     }
 
     void fill()

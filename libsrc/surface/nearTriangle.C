@@ -81,6 +81,10 @@ void markNear
     const std::array<long, 2> ends{first[axis], last[axis]};
     const double slope = component(n, axis);
     const double reach = limit*magnitude(n);
+    if (slope == 0)
+    {
+        return;    // 2-D: it lies along the plane
+    }
     first[axis] = last[axis] = 0;
     std::array<long, 3> i{};
     for (i[2] = first[2]; i[2] <= last[2]; ++i[2])

@@ -39,9 +39,14 @@ void paintAxes
     );
 
     const double loA = component(where.lo, a), hiA = component(where.hi, a);
+    const double loB = component(where.lo, b), hiB = component(where.hi, b);
+    const double largest = std::max
+    (
+        {std::abs(loA), std::abs(hiA), std::abs(loB), std::abs(hiB)}
+    );
     const int wide = place.right - place.left;
     const tickMarks across =
-        ticks(loA, hiA, std::clamp(wide/letters(5.5), 1, 8));
+        ticks(loA, hiA, std::clamp(wide/letters(5.5), 1, 8), largest);
     for (std::size_t k = 0; k < across.at.size(); ++k)
     {
         const long along = std::lround(place.scale*(across.at[k] - loA));
@@ -60,9 +65,9 @@ void paintAxes
         {0, 0}
     );
 
-    const double loB = component(where.lo, b), hiB = component(where.hi, b);
     const int high = place.bottom - place.top;
-    const tickMarks up = ticks(loB, hiB, std::clamp(high/letters(3.5), 1, 8));
+    const tickMarks up =
+        ticks(loB, hiB, std::clamp(high/letters(3.5), 1, 8), largest);
     for (std::size_t k = 0; k < up.at.size(); ++k)
     {
         const long along = std::lround(place.scale*(up.at[k] - loB));

@@ -99,7 +99,8 @@ void paintColourBar
         begin = middle - least/2;
         end = middle + least/2;
     }
-    const int side = flat ? place.bottom + letters(5) : place.right + letters(2);
+    const int side =
+        flat ? place.bottom + letters(5) : place.right + letters(2);
     const int thick = letters(1.1);
     for (int i = begin; i < end; ++i)
     {

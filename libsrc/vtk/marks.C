@@ -41,7 +41,10 @@ markedScene collect
                 continue;
             }
             const double value = values ? field.value(*values, i) : 0;
-            scene.marks.push_back({from.positions[i], value, values != nullptr});
+            scene.marks.push_back
+            (
+                {from.positions[i], value, values != nullptr}
+            );
             if (values)
             {
                 scene.lowest = any ? std::min(scene.lowest, value) : value;

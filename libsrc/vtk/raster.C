@@ -181,8 +181,13 @@ void raster::sphere
     static constexpr double light[3]{-0.40, -0.58, 0.71};
     static constexpr double half[3]{-0.2163, -0.3136, 0.9246};
     const double r = factor_*radius;
+    const auto front = static_cast<float>(factor_*depth - r);
     const auto paint = [&](std::size_t sample, double dx, double dy)
     {
+        if (front >= depth_[sample])
+        {
+            return;    // most of a cloud is hidden: no root for these
+        }
         const double dz = std::sqrt(std::max(0.0, r*r - dx*dx - dy*dy));
         const auto z = static_cast<float>(factor_*depth - dz);
         if (z >= depth_[sample])
@@ -242,10 +247,18 @@ void raster::shadeHollows(double reach, double strength)
         {1, 0}, {0.7, 0.7}, {0, 1}, {-0.7, 0.7}
     };
     const double scale = factor_*reach;
-    const auto depthAt = [&](long x, long y)
+    int steps[4][2];
+    for (int a = 0; a < 4; ++a)
+    {
+        steps[a][0] = static_cast<int>(std::lround(scale*axes[a][0]));
+        steps[a][1] = static_cast<int>(std::lround(scale*axes[a][1]));
+    }
+    const auto depthAt = [&](int x, int y)
     {
         const bool within = x >= 0 && y >= 0 && x < width_ && y < height_;
-        return within ? depth_[y*width_ + x] : infinite;
+        return within
+          ? depth_[static_cast<std::size_t>(y)*width_ + x]
+          : infinite;
     };
     for (int j = 0; j < height_; ++j)
     {
@@ -258,10 +271,8 @@ void raster::shadeHollows(double reach, double strength)
                 continue;
             }
             double hollow = 0;
-            for (const auto& axis : axes)
+            for (const auto& [dx, dy] : steps)
             {
-                const long dx = std::lround(scale*axis[0]);
-                const long dy = std::lround(scale*axis[1]);
                 const double around =
                     0.5*(depthAt(i + dx, j + dy) + depthAt(i - dx, j - dy));
                 hollow += std::clamp((here - around)/scale, 0.0, 1.0);

@@ -91,8 +91,16 @@ int nearestCorner(const domain& where, const projection& project)
 }
 
 
-//- Edges that meet in front would cross the particles: left out
-void paintBox(raster& canvas, const domain& where, const projection& project)
+//- Edges that meet in front would cross the particles: left out. The others
+//  come forward by lift (pixels), or particles at the walls would cut them
+//  into dashes.
+void paintBox
+(
+    raster& canvas,
+    const domain& where,
+    const projection& project,
+    double lift
+)
 {
     const int front = nearestCorner(where, project);
     for (int bits = 0; bits < 8; ++bits)
@@ -108,7 +116,10 @@ void paintBox(raster& canvas, const domain& where, const projection& project)
             const seen b = project(corner(where, other));
             canvas.line
             (
-                {a.x, a.y, a.depth}, {b.x, b.y, b.depth}, 1.2, {150, 150, 150}
+                {a.x, a.y, a.depth - lift},
+                {b.x, b.y, b.depth - lift},
+                1.2,
+                {150, 150, 150}
             );
         }
     }
@@ -176,7 +187,12 @@ void paintEdgeAxis
     const double hi = axis == 0 ? where.hi.x
       : axis == 1 ? where.hi.y : where.hi.z;
     const int about = std::clamp(static_cast<int>(length/(5*f)), 1, 6);
-    const tickMarks marks = ticks(lo, hi, about);
+    const double largest = std::max
+    ({
+        std::abs(where.lo.x), std::abs(where.lo.y), std::abs(where.lo.z),
+        std::abs(where.hi.x), std::abs(where.hi.y), std::abs(where.hi.z)
+    });
+    const tickMarks marks = ticks(lo, hi, about, largest);
     double widest = 0;
     const auto put = [&](double t, double gap, const std::string& words)
     {
@@ -204,7 +220,13 @@ void paintEdgeAxis
             const int py = static_cast<int>(std::lround(y + s*ny));
             picture.fill(px, py, px + 1, py + 1, ink);
         }
-        put(t, 0.7*f, marks.labels[k]);
+
+        // Numbers of x and y would meet at their common corner
+        const double toEnd = length*std::min(t, 1 - t);
+        if (axis != 1 || toEnd > 1.5*f)
+        {
+            put(t, 0.7*f, marks.labels[k]);
+        }
     }
     const double beyond = 1.4*f + std::abs(nx)*widest + 0.8*std::abs(ny)*f;
     put(0.5, beyond, lengthLabel(names[axis], marks.exponent));
@@ -252,7 +274,7 @@ void paintSpace
         );
     }
     canvas.shadeHollows(std::max(1.0, 4*radius), 0.8);
-    paintBox(canvas, where, project);
+    paintBox(canvas, where, project, 2*radius);
     canvas.putOn(picture, 0, 0);
     for (int axis = 0; axis < 3; ++axis)
     {

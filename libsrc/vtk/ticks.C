@@ -19,7 +19,7 @@ static int engineeringExponent(double largest)
 }
 
 
-tickMarks ticks(double lo, double hi, int about)
+tickMarks ticks(double lo, double hi, int about, double largest)
 {
     const double rough = (hi - lo)/std::max(1, about);
     const double power = std::pow(10, std::floor(std::log10(rough)));
@@ -28,8 +28,10 @@ tickMarks ticks(double lo, double hi, int about)
         power*(lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
 
     tickMarks marks;
-    marks.exponent =
-        engineeringExponent(std::max(std::abs(lo), std::abs(hi)));
+    marks.exponent = engineeringExponent
+    (
+        largest > 0 ? largest : std::max(std::abs(lo), std::abs(hi))
+    );
     const double unit = std::pow(10, marks.exponent);
     const int decimals = std::max
     (
@@ -57,7 +59,7 @@ std::string lengthLabel(const std::string& name, int exponent)
     const char* unit =
         exponent == 0 ? "m"
       : exponent == -3 ? "mm"
-      : exponent == -6 ? "\u00b5m"
+      : exponent == -6 ? "um"    // the font has no Greek
       : exponent == -9 ? "nm"
       : exponent == 3 ? "km"
       : nullptr;

@@ -4,6 +4,7 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
+#include <vtkExecutive.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
@@ -55,10 +56,12 @@ static void takeName(const fs::path& part, const fs::path& file)
 }
 
 
-//- VTK reports through events; without an observer it prints them
+//- VTK reports through events; without an observer it prints them. The first
+//  message is the cause of those after it.
 static void keepMessage(vtkObject*, unsigned long, void* kept, void* message)
 {
-    *static_cast<std::string*>(kept) = static_cast<const char*>(message);
+    std::string& text = *static_cast<std::string*>(kept);
+    text = text.empty() ? static_cast<const char*>(message) : text;
 }
 
 
@@ -82,6 +85,7 @@ void writeVtp
     observer->SetCallback(keepMessage);
     observer->SetClientData(&message);
     writer->AddObserver(vtkCommand::ErrorEvent, observer);
+    writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
     writer->SetFileName(part.c_str());
     writer->SetInputData(&data);
     writer->SetHeaderTypeToUInt64();

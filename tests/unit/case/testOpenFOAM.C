@@ -57,7 +57,7 @@ public:
                 0.5 + 0.4*std::sin(i),
                 flat ? 0 : 0.1 + i/100.
             });
-            velocity.push_back({1. + i, -0.25*i, 1e-3*i});
+            velocity.push_back({1. + i, -0.25*i, i/1024.});
             rho.push_back(1000 + i);
             id.push_back(i);
         }
@@ -209,6 +209,61 @@ TEST_F(openFOAM, paraViewsReaderReadsOurCases)
             }
             EXPECT_EQ(v[6], 1000 + i);
             EXPECT_EQ(v[7], i);
+        }
+    }
+}
+
+TEST_F(openFOAM, weReadFieldsThatOpenFOAMWrites)
+{
+    std::string before;
+    if (!environment(before))
+    {
+        GTEST_SKIP() << "OpenFOAM's programs are not installed";
+    }
+    put
+    (
+        "system/decomposeParDict",
+        "FoamFile { version 2.0; format ascii; class dictionary; "
+        "object decomposeParDict; }\nnumberOfSubdomains 1;\nmethod simple;\n"
+        "simpleCoeffs { n (1 1 1); delta 0.001; }\n"
+    );
+    for (const char* format : {"ascii", "binary"})
+    {
+        writeCase();
+        control
+        (
+            "deltaT 0.5; endTime 1; writeInterval 1; startFrom startTime; "
+            "startTime 0; writePrecision 10; writeFormat "
+          + std::string(format) + ";"
+        );
+        std::string output;
+        ASSERT_EQ
+        (
+            shell(before + "decomposePar -force -case " + path.string(),
+                output),
+            0
+        ) << output;
+        // OpenFOAM leaves out the Cartesian positions
+        std::filesystem::copy_file
+        (
+            path/"0/lagrangian/fluid/positions",
+            path/"processor0/0/lagrangian/fluid/positions"
+        );
+        EXPECT_TRUE
+        (
+            says(text("processor0/0/lagrangian/fluid/U"), format)
+        );
+        const cloud theirs = readCloud(path/"processor0/0", "fluid");
+        for (const cloudField& ours : makeCloud(false).fields)
+        {
+            const cloudField* field = theirs.find(ours.name);
+            ASSERT_TRUE(field) << ours.name;
+            EXPECT_EQ(field->cls, ours.cls);
+            EXPECT_EQ(field->values, ours.values) << format << ours.name;
+        }
+        for (const char* folder : {"processor0", "0.5", "1"})
+        {
+            std::filesystem::remove_all(path/folder);
         }
     }
 }

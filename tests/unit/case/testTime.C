@@ -279,6 +279,10 @@ TEST_F(timeTest, adjustsDeltaT)
         time.adjustDeltaT(0.01);
     }
     EXPECT_EQ(time.deltaT(), 0.11);
+    EXPECT_TRUE
+    (
+        says(errorOf([&] { time.adjustDeltaT(std::nan("")); }), "diverged")
+    );
 }
 
 TEST_F(timeTest, adjustedStepsMeetWriteTimesWithinMaxCo)

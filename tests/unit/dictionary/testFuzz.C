@@ -46,7 +46,7 @@ public:
                     text.insert(at, pieces[pick(std::size(pieces))]);
                     break;
                 case 2:
-                    text.insert(pick(text.size() + 1), text.substr(at, 5*length));
+                    text.insert(at, text.substr(pick(at + 1), 5*length));
                     break;
                 case 3:
                     text.replace(at, 1, 1, char(pick(256)));

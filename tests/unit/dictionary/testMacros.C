@@ -164,6 +164,10 @@ TEST(dictionaryMacros, includes)
     EXPECT_SAYS(problem("#includeEtc \"none\"\n"), "$FSI_ETC");
     EXPECT_SAYS(problem("#includeFunc none\n"), "system");
     EXPECT_SAYS(problem("#include\nfile 1;"), "file name");
+    at.write("keys", "1; b 2");
+    EXPECT_SAYS(problem("a\n#include \"keys\"\n;"), "plain values");
+    EXPECT_EQ(dictionary::fromFile(at.write("bom", "\xEF\xBB\xBF" "a 1;"))
+        .get<int>("a"), 1);
     at.write("loop1", "#include \"loop2\"\n");
     const auto loop2 = at.write("loop2", "\n#include \"loop1\"\n");
     const std::string loop =

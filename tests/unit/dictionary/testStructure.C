@@ -159,6 +159,10 @@ TEST(dictionaryStructure, unreadEntriesAreSentences)
         "Unused sub-dictionary 'nothing' in \"system/controlDict\" at line 4.");
     EXPECT_EQ(list[2],
         "Unused entry 'spare' in \"system/controlDict:s\" at line 8.");
+    // Known, but its value was not asked for
+    EXPECT_TRUE(d.found("nothing"));
+    EXPECT_EQ(d.unread()[1], list[1]);
+
     testing::internal::CaptureStderr();
     d.warnUnread();
     EXPECT_SAYS(testing::internal::GetCapturedStderr(),

@@ -1,0 +1,108 @@
+#include "surface/surfaceRegion.H"
+
+#include "base/log.H"
+#include "surface/checkSurface.H"
+#include "surface/lineRaster.H"
+#include "surface/readSurface.H"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gpuFsi
+{
+
+surfaceRegion::surfaceRegion(const regionInput& input)
+:
+    region(input),
+    file_(input.dict.get<std::string>("file")),
+    dimensions_(input.dimensions)
+{
+    const double scale =
+        input.dict.getNumberOrDefault("scale", 1, 1e-30, 1e30);
+    readReport report;
+    surface_ = readSurface
+    (
+        input.casePath/file_, scale, input.dict.where("file"), report
+    );
+    info
+    (
+        "Surface {}: {} triangles, {} points ({} merged)",
+        file_, surface_.triangles.size(), surface_.points.size(),
+        report.nMerged
+    );
+    if (report.nDegenerate)
+    {
+        info("    {} triangles without area dropped", report.nDegenerate);
+    }
+    checkSurface(surface_, (input.casePath/file_).string());
+
+    bounds_ = {surface_.points[0], surface_.points[0]};
+    for (const vector& p : surface_.points)
+    {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            double& low = component(bounds_.first, axis);
+            double& high = component(bounds_.second, axis);
+            low = std::min(low, component(p, axis));
+            high = std::max(high, component(p, axis));
+        }
+    }
+    info
+    (
+        "    from ({:.6g} {:.6g} {:.6g}) to ({:.6g} {:.6g} {:.6g}),"
+        " volume {:.8g}\n",
+        bounds_.first.x, bounds_.first.y, bounds_.first.z,
+        bounds_.second.x, bounds_.second.y, bounds_.second.z,
+        surface_.volume()
+    );
+    warnUnit(input.spacing);
+}
+
+
+void surfaceRegion::warnUnit(double spacing) const
+{
+    const vector size = bounds_.second - bounds_.first;
+    double most = 0;
+    for (int axis = 0; axis < dimensions_; ++axis)
+    {
+        most = std::max(most, component(size, axis)/spacing);
+    }
+    if (most < 3 || most > 2000)
+    {
+        warning
+        (
+            fmt::format
+            (
+                "Surface {} is {:.3g} spacings across: is it in metres?\n"
+                "    A file in millimetres needs scale 0.001.",
+                file_, most
+            )
+        );
+    }
+}
+
+
+std::optional<double> surfaceRegion::volume() const
+{
+    return dimensions_ == 3
+        ? std::optional<double>(surface_.volume())
+        : std::nullopt;
+}
+
+
+regionTrace surfaceRegion::trace(const lattice& l) const
+{
+    return traceSurface(l, surface_, fluidInside());
+}
+
+
+std::string surfaceRegion::description() const
+{
+    return fmt::format
+    (
+        "surface {}, {} triangles", file_, surface_.triangles.size()
+    ) + sideText();
+}
+
+} // namespace gpuFsi
