@@ -24,7 +24,7 @@ public:
     :
         lattice_(l),
         traces_(traces),
-        tolerance_(1e-6*l.h()),
+        tolerance_(1e-3*l.h()),
         fluid_(traces.size()),
         face_(std::pow(l.h(), l.dimensions() - 1))
     {
@@ -223,7 +223,7 @@ private:
 
     const lattice& lattice_;
     const std::vector<regionTrace>& traces_;
-    double tolerance_;
+    double tolerance_;    // surfaces in single precision meet within it
     std::vector<char> fluid_;
     double face_;
     std::vector<event> events_;

@@ -186,18 +186,15 @@ private:
                 result.inside[line*lattice_.n(0) + first] ^= 1;
             }
         }
-        const double low = component(lattice_.lo(), axis) - lattice_.h();
-        const double high = component(lattice_.hi(), axis) + lattice_.h();
         vector n = surface_.normal(triangle);
         if (lattice_.dimensions() == 2)
         {
             n.z = 0;
         }
         n = ((fluidInside_ ? -1 : 1)/magnitude(n))*n;
-        // Far ones still tell the state of the line at its ends
         result.crossings.push_back
         ({
-            axis, line, std::clamp(t, low, high), leaves != fluidInside_, n
+            axis, line, t, leaves != fluidInside_, n
         });
     }
 

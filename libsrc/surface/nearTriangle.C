@@ -1,7 +1,5 @@
 #include "surface/nearTriangle.H"
 
-#include "seeding/region.H"
-
 #include <algorithm>
 #include <cmath>
 
@@ -51,7 +49,7 @@ void markNear
     const vector& b = s.corner(triangle, 1);
     const vector& c = s.corner(triangle, 2);
     const vector n = s.normal(triangle);
-    const double limit = closeDistance(l);
+    const double limit = 0.5*l.h()*(1 - 1e-3);
 
     // Rows along the axis that the triangle faces most: few points each
     int axis = 0;

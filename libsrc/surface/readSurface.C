@@ -6,11 +6,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <numeric>
+#include <sstream>
 #include <tuple>
 
 namespace gpuFsi
@@ -103,6 +105,53 @@ void checkStlLength(const fs::path& file)
             {file.string()},
             exportAgain
         );
+    }
+}
+
+//- Readers stop at, or skip, words such as nan: say on which line they stand
+void checkWords(const fs::path& file)
+{
+    std::ifstream in(file, std::ios::binary);
+    std::string line;
+    for (int number = 1; std::getline(in, line); ++number)
+    {
+        if (line.find('\0') != std::string::npos)
+        {
+            return;    // binary
+        }
+        std::istringstream words(line);
+        std::string word;
+        words >> word;
+        const bool coordinates =
+            word == "vertex" || word == "v" || word.empty()
+         || std::strchr("+-.0123456789nNiI", word[0]);
+        if (!coordinates || line.find_first_of("nNiI") == std::string::npos)
+        {
+            continue;
+        }
+        for (bool more = true; more; more = bool(words >> word))
+        {
+            const std::size_t sign = word.find_first_not_of("+-");
+            std::string bare =
+                sign == std::string::npos ? "" : word.substr(sign);
+            std::transform
+            (
+                bare.begin(),
+                bare.end(),
+                bare.begin(),
+                [](unsigned char c) { return char(std::tolower(c)); }
+            );
+            if (bare == "nan" || bare == "inf" || bare == "infinity")
+            {
+                throw userError
+                (
+                    "Surface file " + file.string() + " has the coordinate "
+                  + word,
+                    {file.string(), number, number},
+                    "Coordinates must be finite. " + std::string(exportAgain)
+                );
+            }
+        }
     }
 }
 
@@ -207,6 +256,7 @@ triangleSurface readSurface
     {
         checkStlLength(file);
     }
+    checkWords(file);
     std::vector<soupPoint> points;
     std::vector<std::vector<std::size_t>> polygons;
     bool read = false;
@@ -251,7 +301,6 @@ triangleSurface readSurface
     triangleSurface surface;
     const std::vector<int> number = mergePoints(points, scale, surface.points);
     report.nPolygons = polygons.size();
-    report.nMerged = points.size() - surface.points.size();
     for (const auto& polygon : polygons)
     {
         for (std::size_t i = 2; i < polygon.size(); ++i)

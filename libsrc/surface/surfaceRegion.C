@@ -27,9 +27,9 @@ surfaceRegion::surfaceRegion(const regionInput& input)
     );
     info
     (
-        "Surface {}: {} triangles, {} points ({} merged)",
-        file_, surface_.triangles.size(), surface_.points.size(),
-        report.nMerged
+        "Surface {}: {} faces, {} triangles, {} points",
+        file_, report.nPolygons, surface_.triangles.size(),
+        surface_.points.size()
     );
     if (report.nDegenerate)
     {

@@ -167,6 +167,10 @@ TEST(read, badFilesAreNamed)
     broken.points[3].y = std::numeric_limits<double>::quiet_NaN();
     writeShape(file, broken, true);
     expectIn("nan", read(file));
+
+    writeShape(testFolder()/"nan.obj", broken, false);
+    expectIn("coordinate nan", read(testFolder()/"nan.obj"));
+    expectIn("at line 4", read(testFolder()/"nan.obj"));
 }
 
 

@@ -150,7 +150,7 @@ TEST(raster, closeIsNearerThanHalfASpacing)
                 )
             );
         }
-        EXPECT_EQ(bool(trace.close[i]), least < std::pow(0.05*(1 - 1e-6), 2));
+        EXPECT_EQ(bool(trace.close[i]), least < std::pow(0.05*(1 - 1e-3), 2));
     }
 }
 

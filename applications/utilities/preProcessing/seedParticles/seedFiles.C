@@ -111,6 +111,22 @@ cloud makeWalls(const seedSettings& settings, const seededParticles& seeded)
     return walls;
 }
 
+//- The former one goes aside, to be removed with it
+void replaceFolder
+(
+    const std::filesystem::path& aside,
+    const std::filesystem::path& casePath,
+    const std::string& name
+)
+{
+    if (std::filesystem::exists(casePath/name))
+    {
+        std::filesystem::create_directories(aside/"former"/name);
+        std::filesystem::rename(casePath/name, aside/"former"/name);
+    }
+    std::filesystem::rename(aside/name, casePath/name);
+}
+
 } // namespace
 
 writeOptions readWriteOptions(const std::filesystem::path& casePath)
@@ -121,7 +137,8 @@ writeOptions readWriteOptions(const std::filesystem::path& casePath)
     options.binary =
         dict.getChoiceOrDefault("writeFormat", "binary", {"ascii", "binary"})
      == "binary";
-    options.precision = int(dict.getNumberOrDefault("writePrecision", 6, 1, 17));
+    options.precision =
+        int(dict.getNumberOrDefault("writePrecision", 6, 1, 17));
     const std::string compression = dict.getChoiceOrDefault
     (
         "writeCompression",
@@ -202,10 +219,8 @@ std::size_t writeSeed
 
         fs::create_directories(casePath/"0");
         fs::create_directories(casePath/"constant");
-        fs::remove_all(casePath/"0/lagrangian");
-        fs::rename(aside/"0/lagrangian", casePath/"0/lagrangian");
-        fs::remove_all(casePath/"constant/polyMesh");
-        fs::rename(aside/"constant/polyMesh", casePath/"constant/polyMesh");
+        replaceFolder(aside, casePath, "0/lagrangian");
+        replaceFolder(aside, casePath, "constant/polyMesh");
         fs::rename(aside/"constant/domain", casePath/"constant/domain");
         writeTextFile(casePath/(caseName + ".foam"), "");
     }

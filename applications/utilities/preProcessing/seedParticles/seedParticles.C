@@ -24,16 +24,18 @@ static int seedParticles(int argc, char** argv)
         argc,
         argv,
         "Seed fluid and wall particles from system/seedParticlesDict.",
-        {{"dict", "file", "in place of system/seedParticlesDict"}}
+        {{
+            "dict", "file",
+            "relative to the case, default system/seedParticlesDict"
+        }}
     );
     printBanner(args.commandLine(), args.casePath().string());
 
     const auto start = std::chrono::steady_clock::now();
     const writeOptions options = readWriteOptions(args.casePath());
 
-    const std::filesystem::path file = args.found("dict")
-        ? std::filesystem::path(args.get("dict"))
-        : args.casePath()/"system/seedParticlesDict";
+    const std::filesystem::path file = args.casePath()
+        /args.getOrDefault("dict", "system/seedParticlesDict");
     info("Reading {}\n", file.string());
     const dictionary dict = dictionary::fromFile(file);
     const seedSettings settings(dict, args.casePath());
