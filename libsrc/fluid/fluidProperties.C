@@ -1,5 +1,6 @@
 #include "fluid/fluidProperties.H"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -85,10 +86,11 @@ static void readWalls
 (
     const fs::path& casePath,
     const domain& d,
-    std::vector<std::unique_ptr<wallMotion>>& motions
+    fluidProperties& properties
 )
 {
-    motions.resize(d.walls.size());
+    properties.motions.resize(d.walls.size());
+    properties.slip.resize(d.walls.size(), false);
     const fs::path file = casePath/"constant"/"wallProperties";
     if (!fs::exists(file))
     {
@@ -99,7 +101,9 @@ static void readWalls
     {
         if (walls.found(d.walls[p]))
         {
-            motions[p] = wallMotion::make(walls.subDict(d.walls[p]));
+            const dictionary& wall = walls.subDict(d.walls[p]);
+            properties.motions[p] = wallMotion::make(wall);
+            properties.slip[p] = wall.getOrDefault("slip", false);
         }
     }
     walls.warnUnread();
@@ -141,7 +145,7 @@ fluidProperties fluidProperties::read
         p.g = g.getDimensionedVector("value", dimensions::acceleration);
         g.warnUnread();
     }
-    readWalls(casePath, d, p.motions);
+    readWalls(casePath, d, p);
     return p;
 }
 
@@ -181,6 +185,18 @@ bool fluidProperties::wallsMove() const
         }
     }
     return false;
+}
+
+
+bool fluidProperties::wallsSlip() const
+{
+    return std::find(slip.begin(), slip.end(), true) != slip.end();
+}
+
+
+bool fluidProperties::slips(int patch) const
+{
+    return std::size_t(patch) < slip.size() && slip[patch];
 }
 
 } // namespace gpuFsi

@@ -7,6 +7,68 @@
 namespace gpuFsi
 {
 
+static void readAccuracy(const dictionary& dict, int D, particleSchemes& s)
+{
+    using schemes = particleSchemes;
+    s.areaWeights = dict.getChoiceOrDefault
+    (
+        "areaWeights", "radial", {"radial", "moment"}
+    ) == "moment" ? schemes::weight::moment : schemes::weight::radial;
+    s.faces = dict.getChoiceOrDefault
+    (
+        "faces", "linear", {"linear", "hermite"}
+    ) == "hermite" ? schemes::face::hermite : schemes::face::linear;
+
+    const std::string time = dict.getChoiceOrDefault
+    (
+        "timeScheme", "Euler", {"Euler", "symplecticEuler", "RK2"}
+    );
+    s.time = time == "Euler" ? schemes::timeScheme::Euler
+      : time == "RK2" ? schemes::timeScheme::RK2
+      : schemes::timeScheme::symplecticEuler;
+
+    if (s.faces == schemes::face::hermite)
+    {
+        s.laplacianFactor =
+            dict.getNumberOrDefault("laplacianFactor", 1, 0.5, 2);
+    }
+    s.dissipation = dict.getNumberOrDefault("dissipation", 0, 0, 1);
+    s.shifting = dict.getNumberOrDefault("shifting", 0, 0, 5);
+    if (s.shifting > 0)
+    {
+        s.shiftingCap =
+            dict.getNumberOrDefault("shiftingCap", D == 3 ? 80 : 8, 1, 1e4);
+    }
+}
+
+
+static void refuseWithRadial(const dictionary& dict, const particleSchemes& s)
+{
+    using schemes = particleSchemes;
+    if (s.areaWeights == schemes::weight::moment)
+    {
+        return;
+    }
+    const char* key = s.faces == schemes::face::hermite ? "faces"
+      : s.dissipation > 0 ? "dissipation"
+      : s.shifting > 0 ? "shifting"
+      : s.time != schemes::timeScheme::Euler ? "timeScheme" : nullptr;
+    if (key)
+    {
+        throw userError
+        (
+            fmt::format
+            (
+                "'{}' goes beyond the published scheme, but areaWeights is "
+                "radial", key
+            ),
+            dict.where(key),
+            "Set 'areaWeights moment', or leave the entry out."
+        );
+    }
+}
+
+
 particleSchemes particleSchemes::read
 (
     const std::filesystem::path& casePath,
@@ -17,8 +79,8 @@ particleSchemes particleSchemes::read
         dictionary::fromFile(casePath/"system"/"particleSchemes");
 
     particleSchemes s;
-    dict.getChoiceOrDefault("areaWeights", "radial", {"radial"});
-    dict.getChoiceOrDefault("timeScheme", "Euler", {"Euler"});
+    readAccuracy(dict, d.dimensions, s);
+    refuseWithRadial(dict, s);
 
     s.searchRadius = d.spacing*defaultSearchRadius(d.dimensions);
     if (const dictionary* n = dict.subDictPtr("neighbours"))
@@ -55,9 +117,30 @@ particleSchemes particleSchemes::read
 
 std::string particleSchemes::describe() const
 {
-    return fmt::format
+    const char* times[] = {"Euler", "symplecticEuler", "RK2"};
+    std::string text = fmt::format
     (
-        "areaWeights radial, timeScheme Euler, neighbours {} every {}",
+        "areaWeights {}, faces {}, timeScheme {}",
+        areaWeights == weight::moment ? "moment" : "radial",
+        faces == face::hermite ? "hermite" : "linear",
+        times[int(time)]
+    );
+    if (faces == face::hermite)
+    {
+        text += fmt::format(", laplacianFactor {:.6g}", laplacianFactor);
+    }
+    if (dissipation > 0)
+    {
+        text += fmt::format(", dissipation {:g}", dissipation);
+    }
+    if (shifting > 0)
+    {
+        text += fmt::format(", shifting {:g} (cap {:g})", shifting,
+            shiftingCap);
+    }
+    return text + fmt::format
+    (
+        ", neighbours {} every {}",
         method == search::cellSearch ? "cellSearch" : "localUpdate",
         update == trigger::interval
       ? fmt::format("{} steps", interval)

@@ -69,17 +69,17 @@ static int measure(int argc, char** argv)
     std::vector<double> seconds;
     for (int round = 0; round < 4; ++round)
     {
-        solver->look(t);
+        solver->maintain();
         const double begin = now();
         for (int s = 0; s < steps; ++s, t += dt)
         {
             solver->step(t, dt);
-            if (solver->wantsLook())
-            {
-                solver->look(t);
-            }
+            if (solver->maintenanceDue())
+        {
+            solver->maintain();
         }
-        solver->look(t);
+        }
+        solver->maintain();
         if (round > 0)
         {
             seconds.push_back(now() - begin);

@@ -129,6 +129,11 @@ void runReport::printEnd()
     line("function objects", functionSeconds_);
     line("writing", writeSeconds_);
     gpuFsi::info("Neighbour refreshes = {}", solver_.nRefreshes());
+    if (solver_.nFallbacks() > 0)
+    {
+        gpuFsi::info("Area weights fell back to first order {} times",
+            solver_.nFallbacks());
+    }
     gpuFsi::info("Particle-steps = {:.6g}  loop = {:.4g} s  "
         "rate = {:.4g} MIPPS (million particle-steps/s)",
         i.particleSteps, i.loopSeconds,

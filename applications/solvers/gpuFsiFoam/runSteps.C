@@ -39,19 +39,16 @@ public:
         {
             functions_.start(state(), report_.info());
         }
-        if (time_.adjustTimeStep())
-        {
-            monitor_ = solver_.look(time_.value());
-        }
         while (time_.run())
         {
             adjustDeltaT();
             const double before = time_.value();
             ++time_;
             solver_.step(before, time_.deltaT());
-            look();
+            report();
             observe();
             write();
+            maintain();
         }
     }
 
@@ -69,23 +66,16 @@ private:
         {
             const double viscous =
                 report_.diffusion()*time_.maxCo()/controls_.maxDi;
-            time_.adjustDeltaT(std::max(report_.courant(monitor_), viscous));
+            const double courant = report_.courant(solver_.monitor());
+            time_.adjustDeltaT(std::max(courant, viscous));
         }
     }
 
-    void look()
+    void report()
     {
-        const bool logged = time_.index() % controls_.logInterval == 0
-          || time_.writeTime();
-        if (!logged && !time_.adjustTimeStep() && !solver_.wantsLook()
-            && !functions_.due(report_.info()))
+        if (time_.index() % controls_.logInterval == 0 || time_.writeTime())
         {
-            return;
-        }
-        monitor_ = solver_.look(time_.value());
-        if (logged)
-        {
-            report_.printStep(monitor_);
+            report_.printStep(solver_.monitor());
         }
     }
 
@@ -93,6 +83,7 @@ private:
     {
         if (functions_.due(report_.info()))
         {
+            solver_.monitor();
             const double begin = time_.clockSeconds();
             functions_.execute(state(), report_.info());
             report_.addFunctionSeconds(time_.clockSeconds() - begin);
@@ -106,10 +97,19 @@ private:
         {
             return;
         }
-        const double begin = time_.clockSeconds();
+        solver_.maintain();
         solver_.refreshNeighbours();
+        const double begin = time_.clockSeconds();
         time_.write([&](const std::filesystem::path& d) { writeInto(d); });
         report_.addWriteSeconds(time_.clockSeconds() - begin);
+    }
+
+    void maintain()
+    {
+        if (solver_.maintenanceDue())
+        {
+            solver_.maintain();
+        }
     }
 
     hostState state() const
@@ -125,7 +125,6 @@ private:
     fluidSolver& solver_;
     functionObjectList& functions_;
     runReport& report_;
-    flowMonitor monitor_;
 };
 
 } // namespace

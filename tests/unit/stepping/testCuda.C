@@ -45,12 +45,12 @@ hostState run(const scene& s, const char* backend, const char* precision)
     for (int k = 0; k < 60; ++k)
     {
         solver->step(k*s.dt, s.dt);
-        if (solver->wantsLook())
+        if (solver->maintenanceDue())
         {
-            solver->look((k + 1)*s.dt);
+            solver->maintain();
         }
     }
-    solver->look(60*s.dt);
+    solver->maintain();
     return solver->download();
 }
 

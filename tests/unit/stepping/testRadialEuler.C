@@ -135,7 +135,7 @@ void compare
         solver->step(k*dt, dt);
         plain.step(dt, mu, pressure, fluid.g);
     }
-    solver->look(20*dt);
+    solver->maintain();
     const hostState result = solver->download();
     double worst = 0;
     for (std::size_t i = 0; i < plain.rho.size(); ++i)

@@ -25,9 +25,9 @@ hostState run(const char* precision, int threads, int steps, double displace)
     for (int k = 0; k < steps; ++k)
     {
         solver->step(0.02*k, 0.02);
-        if (solver->wantsLook())
+        if (solver->maintenanceDue())
         {
-            solver->look(0.02*(k + 1));
+            solver->maintain();
         }
     }
     omp_set_num_threads(before);
@@ -88,7 +88,7 @@ TEST(solver, aUniformStateStaysAsItIs)
         {
             solver->step(0, 1e-3);
         }
-        solver->look(0);
+        solver->maintain();
         EXPECT_TRUE(sameBytes(before.fluid, solver->download().fluid));
     }
 }
@@ -124,7 +124,7 @@ TEST(solver, breakdownNamesStepAndParticle)
             solver->step(steps*dt, dt);
             if (steps % 7 == 6)
             {
-                solver->look((steps + 1)*dt);
+                solver->maintain();
             }
         }
         FAIL() << "no breakdown";
@@ -169,7 +169,7 @@ TEST(solver, aStrayParticleIsNamed)
         for (int k = 0; k < 100; ++k)
         {
             solver->step(0, 0.005);
-            solver->look(0);
+            solver->maintain();
         }
         FAIL() << "nobody missed it";
     }

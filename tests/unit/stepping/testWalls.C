@@ -73,7 +73,7 @@ TEST(walls, followTheirMotionAndCarryItsVelocity)
     for (int k = 0; k < 60; ++k)
     {
         solver->step(k*dt, dt);
-        solver->look((k + 1)*dt);
+        solver->maintain();
     }
     const double t = 60*dt;
     const hostState s = solver->download();
@@ -122,9 +122,9 @@ TEST(walls, restUnderGravityKeepsTheHydrostaticProfile)
     for (int k = 0; k < 5000; ++k)
     {
         solver->step(k*dt, dt);
-        if (solver->wantsLook())
+        if (solver->maintenanceDue())
         {
-            solver->look(k*dt);
+            solver->maintain();
         }
     }
     const hostState end = solver->download();
