@@ -20,6 +20,16 @@ void writeFolderAtomically
     const fs::path partial = parent/("." + name + ".partial");
     const fs::path inside = partial/name;
     const fs::path target = parent/name;
+    if (fs::exists(target) && !fs::is_directory(target))
+    {
+        throw userError
+        (
+            "Cannot write the folder " + target.string()
+          + ": a file has that name",
+            {target.string()},
+            "Move the file elsewhere and run again."
+        );
+    }
     try
     {
         fs::remove_all(partial);    // of a run that was killed

@@ -24,7 +24,13 @@ constexpr std::size_t chunkBytes = std::size_t(64) << 20;
     const std::string& why
 )
 {
-    throw userError("Cannot read " + file.string() + ": " + why, {file});
+    throw userError
+    (
+        "Cannot read " + file.string() + ": " + why,
+        {file},
+        "Is it a file that you may read, and whole? Or start from an earlier "
+        "time."
+    );
 }
 
 std::string inflateFile(const std::filesystem::path& file)
@@ -76,7 +82,12 @@ std::filesystem::path existingCaseFile(const std::filesystem::path& file)
     }
     if (!plain && !gz)
     {
-        throw userError("There is no file " + file.string(), {file});
+        throw userError
+        (
+            "There is no file " + file.string(),
+            {file},
+            "Run the program that writes it, or start from an earlier time."
+        );
     }
     return plain ? file : zipped;
 }

@@ -2,6 +2,8 @@
 
 #include "base/error.H"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
@@ -11,6 +13,10 @@ namespace gpuFsi
 
 namespace
 {
+
+const char* const damaged =
+    "The file is damaged or cut short; write it again or start from an "
+    "earlier time.";
 
 bool isSpace(char c)
 {
@@ -108,7 +114,7 @@ void foamScanner::expect(char c, const char* why)
         (
             std::string("Expected '") + c + "' " + why + ", found "
           + found(),
-            ""
+            damaged
         );
     }
 }
@@ -131,7 +137,7 @@ std::string foamScanner::word()
     }
     if (at_ == begin)
     {
-        fail("Expected a word, found " + found(), "");
+        fail("Expected a word, found " + found(), damaged);
     }
     return std::string(bytes_.substr(begin, at_ - begin));
 }
@@ -168,7 +174,7 @@ double foamScanner::number(const std::string& what)
     double value;
     if (!number(value))
     {
-        fail("Expected a number for " + what + ", found " + found(), "");
+        fail("Expected a number for " + what + ", found " + found(), damaged);
     }
     return value;
 }
@@ -178,7 +184,12 @@ long foamScanner::count()
     const double value = number("the size of the list");
     if (!(value >= 0 && value < 1e18) || value != double(long(value)))
     {
-        fail("The size of a list must be a whole number, not negative", "");
+        fail
+        (
+            "The size of a list must be a whole number, not negative; found "
+          + fmt::format("{}", value),
+            damaged
+        );
     }
     return long(value);
 }

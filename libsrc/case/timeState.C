@@ -124,12 +124,25 @@ timeState timeState::read
         if (controls.adjustTimeStep)
         {
             s.deltaT = dict.getOrDefault("deltaT", s.deltaT);
+            if (!(s.deltaT > 0))
+            {
+                throw userError
+                (
+                    fmt::format
+                    (
+                        "deltaT is {}, but must be positive", s.deltaT
+                    ),
+                    dict.where("deltaT"),
+                    "Remove the file to start afresh with the deltaT of "
+                    "controlDict, or start from an earlier time."
+                );
+            }
         }
         s.beginTime = dict.getOrDefault("beginTime", s.value);
         s.timePrecision = std::max
         (
             s.timePrecision,
-            dict.getOrDefault("timePrecision", s.timePrecision)
+            int(dict.getNumberOrDefault("timePrecision", 1, 1, 17))
         );
         whole = dict.found("baseValue");
         if (whole)

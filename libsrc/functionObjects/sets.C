@@ -1,13 +1,14 @@
 //- type sets: fields along lines, a file a line and time:
 //  postProcessing/<name>/<time>/<set>_<fields>.xy
-//  Keys: fields, sets { <set> { start; end; nPoints; axis; } ... } (or start
-//  end nPoints axis of a single line, called as the object), and those of
-//  pointSampler.
+//  Keys: fields, exact <word> (optional: the exact solution's columns, too),
+//  sets { <set> { start; end; nPoints; axis; } ... } (or start end nPoints
+//  axis of a single line, called as the object), and those of pointSampler.
 
 #include "functionObjects/fields.H"
 #include "functionObjects/functionObject.H"
 #include "functionObjects/outputFile.H"
 #include "functionObjects/pointSampler.H"
+#include "functionObjects/referenceField.H"
 
 #include <fmt/format.h>
 
@@ -88,6 +89,13 @@ public:
         functionObject(name, dict, info),
         fields_(fields::readNames(dict, "fields"))
     {
+        if (dict.found("exact"))
+        {
+            for (const std::string& field : fields_)
+            {
+                exact_.emplace_back(field, dict, info, vector{0, 0, 0});
+            }
+        }
         const dictionary* several = dict.subDictPtr("sets");
         if (!several)
         {
@@ -153,22 +161,27 @@ private:
         {
             rows.push_back(fmt::format("{:.8e}", a));
         }
-        for (const std::string& field : fields_)
+        for (std::size_t f = 0; f < fields_.size(); ++f)
         {
-            file += "_" + field;
+            const std::string& field = fields_[f];
             const int n = fields::nComponents(field);
-            const auto values = l.sampler.values
+            file += "_" + field;
+            header += columnNames(field, n);
+            addColumns
             (
-                fields::values(field, state.fluid, state, info),
-                fields::values(field, state.walls, state, info),
-                n
+                l.sampler.values
+                (
+                    fields::values(field, state.fluid, state, info),
+                    fields::values(field, state.walls, state, info),
+                    n
+                ),
+                rows
             );
-            for (std::size_t i = 0; i < values.size(); ++i)
+            if (!exact_.empty())
             {
-                rows[i/n] += fmt::format("\t{:.8e}", values[i]);
+                header += columnNames("exact_" + field, n);
+                addColumns(exact_[f].values(l.sampler.points(), info), rows);
             }
-            header += n == 1 ? "\t" + field
-                : "\t" + field + "_x\t" + field + "_y\t" + field + "_z";
         }
         std::string text = header + "\n";
         for (const std::string& row : rows)
@@ -179,7 +192,28 @@ private:
             .write(text);
     }
 
+    static std::string columnNames(const std::string& field, int n)
+    {
+        return n == 1 ? "\t" + field
+            : "\t" + field + "_x\t" + field + "_y\t" + field + "_z";
+    }
+
+    //- values: row-major
+    static void addColumns
+    (
+        const std::vector<double>& values,
+        std::vector<std::string>& rows
+    )
+    {
+        const std::size_t n = values.size()/rows.size();
+        for (std::size_t i = 0; i < values.size(); ++i)
+        {
+            rows[i/n] += fmt::format("\t{:.8e}", values[i]);
+        }
+    }
+
     std::vector<std::string> fields_;
+    std::vector<referenceField> exact_;    // by field; empty: not asked for
     std::vector<line> lines_;
 };
 

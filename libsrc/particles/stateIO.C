@@ -32,7 +32,9 @@ static const cloudField& need
         throw userError
         (
             fmt::format("Field '{}' is a {}, not a {}", field, f->cls, cls),
-            {file.string()}
+            {file.string()},
+            "Is the file under the right name? Seed again, or start from an "
+            "earlier time."
         );
     }
     return *f;
@@ -147,7 +149,9 @@ static void checkInside(const particleSet& s, const domain& d, const fs::path& f
                     i, x.x, x.y, x.z, d.lo.x, d.lo.y, d.lo.z,
                     d.hi.x, d.hi.y, d.hi.z
                 ),
-                {f.string()}
+                {f.string()},
+                "Widen bounds in system/seedParticlesDict and seed again, or "
+                "start from an earlier time."
             );
         }
     }
@@ -199,7 +203,9 @@ hostState readState(const fs::path& time, const domain& d, double rho0)
                     "Patch {} is not one of the {} walls of constant/domain",
                     p, d.walls.size()
                 ),
-                {(time/"lagrangian/walls/patch").string()}
+                {(time/"lagrangian/walls/patch").string()},
+                "Time folder and constant/domain must come from the same "
+                "seedParticles."
             );
         }
         s.patch.push_back(int(p));

@@ -14,6 +14,11 @@ static void readAccuracy(const dictionary& dict, int D, particleSchemes& s)
     (
         "areaWeights", "radial", {"radial", "moment"}
     ) == "moment" ? schemes::weight::moment : schemes::weight::radial;
+    if (s.areaWeights == schemes::weight::moment)
+    {
+        s.weightExponent =
+            int(dict.getNumberOrDefault("weightExponent", 1, 1, 8));
+    }
     s.faces = dict.getChoiceOrDefault
     (
         "faces", "linear", {"linear", "hermite"}
@@ -125,6 +130,10 @@ std::string particleSchemes::describe() const
         faces == face::hermite ? "hermite" : "linear",
         times[int(time)]
     );
+    if (weightExponent > 1)
+    {
+        text += fmt::format(", weightExponent {}", weightExponent);
+    }
     if (faces == face::hermite)
     {
         text += fmt::format(", laplacianFactor {:.6g}", laplacianFactor);

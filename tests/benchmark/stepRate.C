@@ -1,7 +1,7 @@
 // Particle-steps per second of the solver on a periodic lattice seeded in
 // memory, with the bytes a step must move.
 // Usage: stepRate [-backend B] [-precision P] [-dimensions D] [-n N]
-//                 [-steps S] [-displace SHARE] [-refresh STEPS]
+//                 [-steps S] [-displace SHARE] [-refresh STEPS] [-scheme WORD]
 
 #include "base/error.H"
 #include "base/log.H"
@@ -19,6 +19,28 @@ static double now()
     return std::chrono::duration<double>(t).count();
 }
 
+//- full: all that a long run on moving particles needs, one evaluation a step
+static void choose(const std::string& word, int D, particleSchemes& s)
+{
+    if (word == "radial")
+    {
+        return;
+    }
+    s.areaWeights = particleSchemes::weight::moment;
+    if (word == "hermite" || word == "full")
+    {
+        s.faces = particleSchemes::face::hermite;
+    }
+    if (word == "full")
+    {
+        s.time = particleSchemes::timeScheme::symplecticEuler;
+        s.weightExponent = 3;
+        s.dissipation = 0.1;
+        s.shifting = 0.5;
+        s.shiftingCap = D == 3 ? 80 : 8;
+    }
+}
+
 static int measure(int argc, char** argv)
 {
     const argList args
@@ -31,7 +53,8 @@ static int measure(int argc, char** argv)
             {"n", "N", "particles along a side"},
             {"steps", "S", "steps in each of three measurements"},
             {"displace", "SHARE", "random displacement in spacings"},
-            {"refresh", "STEPS", "refresh neighbours every so many steps"}
+            {"refresh", "STEPS", "refresh neighbours every so many steps"},
+            {"scheme", "radial|moment|hermite|full", "default radial"}
         },
         false
     );
@@ -49,6 +72,7 @@ static int measure(int argc, char** argv)
     particleSchemes schemes;
     schemes.searchRadius =
         d.spacing*particleSchemes::defaultSearchRadius(D);
+    choose(args.getOrDefault("scheme", "radial"), D, schemes);
     if (args.found("refresh"))
     {
         schemes.update = particleSchemes::trigger::interval;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 
 #include <unistd.h>
@@ -13,12 +14,15 @@ namespace fs = std::filesystem;
 
 systemCase::systemCase()
 {
+    // Threads of several tests at a time would wait for each other; that
+    // their number does not matter is for the tests of determinism
+    setenv("OMP_NUM_THREADS", "1", 1);
+
     static int n = 0;
     path_ = fs::temp_directory_path()
         /("robustness-" + std::to_string(getpid()))
         /("case" + std::to_string(n++));
-    fs::create_directories(path_/"system");
-    fs::create_directories(path_/"constant");
+    fs::create_directories(path_);
 }
 
 
@@ -53,18 +57,20 @@ systemCase::~systemCase()
 }
 
 
+//- The dictionaries of a case, without its data
+static void copyDictionaries(const fs::path& from, const fs::path& to)
+{
+    for (const char* folder : {"system", "constant"})
+    {
+        fs::copy(from/folder, to/folder, fs::copy_options::recursive);
+    }
+}
+
+
 systemCase systemCase::pulse()
 {
     systemCase c;
-    for (const char* folder : {"system", "constant"})
-    {
-        fs::copy
-        (
-            fs::path(PULSE_CASE)/folder,
-            c.path_/folder,
-            fs::copy_options::recursive
-        );
-    }
+    copyDictionaries(PULSE_CASE, c.path_);
     c.set("system/seedParticlesDict", "spacing", "0.9375");
     c.set("system/controlDict", "endTime", "0.6");
     c.set("system/controlDict", "deltaT", "0.05");
@@ -75,82 +81,8 @@ systemCase systemCase::pulse()
 
 systemCase systemCase::piston()
 {
-    const auto header = [](const std::string& object)
-    {
-        return "FoamFile { format ascii; class dictionary; object " + object
-            + "; }\n";
-    };
     systemCase c;
-    c.write
-    (
-        "system/seedParticlesDict",
-        header("seedParticlesDict") + R"(
-dimensions  2;
-spacing     0.0625;
-bounds      ((0 0 0) (1 0.25 0));
-periodic    (no yes no);
-regions
-{
-    piston { type plane; point (0 0 0); normal (1 0 0); }
-    end { type plane; point (1 0 0); normal (-1 0 0); }
-}
-fields
-{
-    rho     "1 + 0.01*cos(pi*x)";
-    U       ("0.1*sin(pi*x)" "0.02*sin(8*pi*y)" "0");
-}
-)"
-    );
-    c.write
-    (
-        "constant/fluidProperties",
-        header("fluidProperties") + R"(
-rho0    1;
-mu      0.01;
-equationOfState { type Tait; c 1; }
-)"
-    );
-    c.write
-    (
-        "constant/wallProperties",
-        header("wallProperties") + R"(
-piston
-{
-    type        oscillation;
-    amplitude   (0.02 0 0);
-    omega       3;
-    phase       1;
-}
-)"
-    );
-    c.write
-    (
-        "system/particleSchemes",
-        header("particleSchemes") + R"(
-neighbours
-{
-    method          cellSearch;
-    update          displacement;
-    displacement    0.1;
-}
-)"
-    );
-    c.write
-    (
-        "system/controlDict",
-        header("controlDict") + R"(
-startFrom       startTime;
-startTime       0;
-stopAt          endTime;
-endTime         0.4;
-deltaT          0.01;
-writeControl    timeStep;
-writeInterval   10;
-writeFormat     binary;
-precision       double;
-backend         cpu;
-)"
-    );
+    copyDictionaries(PISTON_CASE, c.path_);
     return c;
 }
 

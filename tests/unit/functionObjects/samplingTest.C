@@ -273,6 +273,36 @@ TEST(sets, writeAFileALineAndTime)
 }
 
 
+TEST(sets, writeTheExactSolutionBesideTheFields)
+{
+    testRun run;
+    const hostState state = lattice(8, 2, 0.2);
+    const dictionary dict = dictionary::fromString
+    (
+        "functions { one { type sets; fields (rho U); exact hydrostatic;"
+        " g (0 -1 0); start (0.5 0.1 0); end (0.5 0.9 0); nPoints 3;"
+        " axis y; } }"
+    );
+    functionObjectList list(dict, run.info);
+    list.start(state, run.info);
+    EXPECT_TRUE(dict.unread().empty());
+
+    expectIn
+    (
+        "# y\trho\texact_rho\tU_x\tU_y\tU_z\t"
+        "exact_U_x\texact_U_y\texact_U_z\n",
+        run.text("one/0/one_rho_U.xy")
+    );
+    const double c2 = run.info.c*run.info.c;
+    for (const auto& row : run.rows("one/0/one_rho_U.xy"))
+    {
+        ASSERT_EQ(row.size(), 9u);
+        EXPECT_NEAR(row[2], run.info.rho0*std::exp(-row[0]/c2), 1e-7*row[2]);
+        EXPECT_EQ(row[7], 0);
+    }
+}
+
+
 TEST(sampling, badEntriesAreErrors)
 {
     testRun run;

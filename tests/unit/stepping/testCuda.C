@@ -158,6 +158,51 @@ TEST(cuda, wallsAndBothSearchesAgree)
     }
 }
 
+TEST(cuda, everyAreaWeightSchemeAgrees)
+{
+    NEEDS_GPU;
+    using schemes = particleSchemes;
+    for (auto time : {schemes::timeScheme::Euler,
+        schemes::timeScheme::symplecticEuler, schemes::timeScheme::RK2})
+    {
+        for (int options = 0; options < 8; ++options)
+        {
+            for (int D : {2, 3})
+            {
+                scene s = pulse(D, 0.2, 0.1);
+                s.schemes.areaWeights = schemes::weight::moment;
+                s.schemes.time = time;
+                s.schemes.weightExponent = D;
+                s.schemes.faces = options & 1
+                  ? schemes::face::hermite : schemes::face::linear;
+                s.schemes.laplacianFactor = 4.0/3;
+                s.schemes.dissipation = options & 2 ? 0.2 : 0;
+                s.schemes.shifting = options & 4 ? 0.5 : 0;
+                EXPECT_LT(difference(run(s, "cuda", "double"),
+                    run(s, "cpu", "double")), 1e-12)
+                    << D << "-D options " << options;
+            }
+        }
+    }
+}
+
+TEST(cuda, areaWeightsBesideMovingAndSlipWallsAgree)
+{
+    NEEDS_GPU;
+    for (bool slip : {false, true})
+    {
+        scene s = piston(particleSchemes::search::cellSearch);
+        s.fluid.slip = {slip, slip};
+        s.schemes.areaWeights = particleSchemes::weight::moment;
+        s.schemes.time = particleSchemes::timeScheme::symplecticEuler;
+        s.schemes.faces = particleSchemes::face::hermite;
+        s.schemes.dissipation = 0.1;
+        s.schemes.shifting = 0.5;
+        EXPECT_LT(difference(run(s, "cuda", "double"),
+            run(s, "cpu", "double")), 1e-12);
+    }
+}
+
 TEST(cuda, singleFollowsDouble)
 {
     NEEDS_GPU;

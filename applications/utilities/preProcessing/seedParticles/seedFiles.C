@@ -194,7 +194,6 @@ domain makeDomain
 std::size_t writeSeed
 (
     const std::filesystem::path& casePath,
-    const std::string& caseName,
     const std::vector<cloud>& clouds,
     const domain& d,
     const writeOptions& options
@@ -222,7 +221,7 @@ std::size_t writeSeed
         replaceFolder(aside, casePath, "0/lagrangian");
         replaceFolder(aside, casePath, "constant/polyMesh");
         fs::rename(aside/"constant/domain", casePath/"constant/domain");
-        writeTextFile(casePath/(caseName + ".foam"), "");
+        writeReaderFiles(casePath);
     }
     catch (const fs::filesystem_error& e)
     {

@@ -53,7 +53,6 @@ static int seedParticles(int argc, char** argv)
     const std::size_t bytes = writeSeed
     (
         args.casePath(),
-        args.caseName(),
         clouds,
         makeDomain(settings, seeded),
         options

@@ -93,7 +93,7 @@ seedSettings::seedSettings
         b.first,
         b.second,
         readPeriodic(dict),
-        dict.where("spacing")
+        dict.where(dict.found("bounds") ? "bounds" : "spacing")
     );
     readFields(dict);
 }

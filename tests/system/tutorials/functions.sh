@@ -1,0 +1,78 @@
+# For the tests of tutorials: runs copies of a tutorial's case and checks what
+# its function object `error` measured. Called as TEST SOURCE WORK BUILD.
+
+export FSI_DIR=$1
+export FSI_BUILD=$3
+work=$2
+tutorials=$FSI_DIR/tutorials/gpuFsiFoam
+failures=0
+
+# A tutorial's own files, without what a run of it left behind
+copyCase()
+{
+    rm -rf "${work:?}/$2"
+    mkdir -p "$work/$2"
+    cp -r "$tutorials/$1"/{system,constant,All*,*.gp} "$work/$2"
+    rm -rf "$work/$2"/constant/{polyMesh,domain,triSurface}
+}
+
+# setEntry FILE KEY VALUE: of a top-level entry that is there
+setEntry()
+{
+    if ! grep -q "^$2 " "$work/$1"
+    then
+        echo "No entry $2 at the top level of $work/$1" >&2
+        exit 1
+    fi
+    sed -i "s|^$2 .*|$2 $3;|" "$work/$1"
+}
+
+# relativeL2 CASE NAME TIME: from the table of the function object NAME
+relativeL2()
+{
+    awk -v t="$3" '$1 == t { found = 1; print $6 }
+        END { if (!found) print "no row of Time " t }' \
+        "$work/$1/postProcessing/$2/0/error.dat"
+}
+
+# Solves without pictures and prints the relative L2 error
+solve()
+{
+    (
+        cd "$work/$1" || exit 1
+        . "$FSI_DIR/etc/tools/RunFunctions"
+        runApplication -o seedParticles >&2
+        runApplication -o gpuFsiFoam >&2
+    ) || exit 1
+    relativeL2 "$1" "$2" "$3"
+}
+
+# expect WHAT VALUE RELATION LIMIT, where RELATION is <= or >=
+expect()
+{
+    if awk -v v="$2" -v l="$4" "BEGIN { \
+        exit !(v ~ /^[0-9.e+-]+\$/ && v + 0 $3 l) }"
+    then
+        echo "ok      $1 = $2, wanted $3 $4"
+    else
+        echo "FAILED  $1 = $2, wanted $3 $4"
+        failures=$((failures + 1))
+    fi
+}
+
+# Of an error that falls from the first to the second while h is halved
+order()
+{
+    awk -v a="$1" -v b="$2" 'BEGIN { printf "%.3f\n", log(a/b)/log(2) }'
+}
+
+isFile()
+{
+    if [ -f "$work/$1" ]
+    then
+        echo "ok      $1 is there"
+    else
+        echo "FAILED  $work/$1 is missing"
+        failures=$((failures + 1))
+    fi
+}
