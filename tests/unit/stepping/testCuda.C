@@ -176,6 +176,7 @@ TEST(cuda, everyAreaWeightSchemeAgrees)
                 s.schemes.faces = options & 1
                   ? schemes::face::hermite : schemes::face::linear;
                 s.schemes.laplacianFactor = 4.0/3;
+                s.dt = 0.005;
                 s.schemes.dissipation = options & 2 ? 0.2 : 0;
                 s.schemes.shifting = options & 4 ? 0.5 : 0;
                 EXPECT_LT(difference(run(s, "cuda", "double"),
