@@ -16,8 +16,10 @@ static void readAccuracy(const dictionary& dict, int D, particleSchemes& s)
     ) == "moment" ? schemes::weight::moment : schemes::weight::radial;
     if (s.areaWeights == schemes::weight::moment)
     {
-        s.weightExponent =
-            int(dict.getNumberOrDefault("weightExponent", 1, 1, 8));
+        s.weightExponent = dict.getChoiceOrDefault
+        (
+            "weightExponent", "1", {"1", "3"}
+        ) == "3" ? 3 : 1;
     }
     s.faces = dict.getChoiceOrDefault
     (

@@ -48,9 +48,12 @@ momentWeights<Real, D> solve(const ring<Real, D>& r, int q, Real& singular)
     momentSums<Real, D> sums;
     for (std::size_t j = 0; j < r.u.size(); ++j)
     {
-        Real n[D];
-        std::copy(r.n[j].begin(), r.n[j].end(), n);
-        sums.add(n, r.u[j], baseWeight(1/r.u[j], q));
+        Real e[D];
+        for (int i = 0; i < D; ++i)
+        {
+            e[i] = r.u[j]*r.n[j][i];
+        }
+        sums.add(e, r.u[j], baseWeight(1/r.u[j], q == 3));
     }
     return sums.solve(singular);
 }
@@ -65,15 +68,19 @@ double violation(const ring<Real, D>& r, int q)
     double first[D]{}, second[D][D]{};
     for (std::size_t k = 0; k < r.u.size(); ++k)
     {
-        Real n[D];
-        std::copy(r.n[k].begin(), r.n[k].end(), n);
-        const double A = weight(n, r.u[k], baseWeight(1/r.u[k], q));
+        Real e[D];
         for (int i = 0; i < D; ++i)
         {
-            first[i] += A*n[i];
+            e[i] = r.u[k]*r.n[k][i];
+        }
+        const double B = weight(e, r.u[k], baseWeight(1/r.u[k], q == 3));
+        for (int i = 0; i < D; ++i)
+        {
+            // A n = B e, A d n n = B e e
+            first[i] += B*e[i];
             for (int j = 0; j < D; ++j)
             {
-                second[i][j] += A*r.u[k]*n[i]*n[j];
+                second[i][j] += B*e[i]*e[j];
             }
         }
     }
@@ -95,7 +102,7 @@ TEST(momentWeights, meetTheMomentConditions)
 {
     for (int seed = 0; seed < 200; ++seed)
     {
-        for (int q : {1, 3, 4})
+        for (int q : {1, 3})
         {
             for (double displace : {0.0, 0.2, 0.35})
             {
@@ -126,8 +133,8 @@ TEST(momentWeights, correctionIsZeroOnALattice)
     // q = 1: the published gradient, A = 2D/(N d)
     double singular;
     const auto w = solve(ring<double, 3>(0, 0), 1, singular);
-    const double n[3] = {1, 0, 0};
-    EXPECT_NEAR(w(n, 1, 1), 6.0/26, 1e-14);
+    const double e[3] = {1, 0, 0};
+    EXPECT_NEAR(w(e, 1, 1), 6.0/26, 1e-14);
 }
 
 TEST(momentWeights, arePositiveAtModerateDisplacement)
@@ -140,8 +147,9 @@ TEST(momentWeights, arePositiveAtModerateDisplacement)
         const auto w = solve(r, 1, singular);
         for (std::size_t j = 0; j < r.u.size(); ++j)
         {
-            const double n[3] = {r.n[j][0], r.n[j][1], r.n[j][2]};
-            negative += w(n, r.u[j], 1/r.u[j]) < 0;
+            const double u = r.u[j];
+            const double e[3] = {u*r.n[j][0], u*r.n[j][1], u*r.n[j][2]};
+            negative += w(e, u, baseWeight(1/u, false)) < 0;
         }
     }
     EXPECT_EQ(negative, 0);
