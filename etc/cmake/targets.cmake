@@ -9,7 +9,7 @@ function(fsi_flags target)
     target_compile_options(${target} PRIVATE
         "$<$<COMPILE_LANGUAGE:CXX>:${cxxFlags}>")
     target_compile_options(${target} PRIVATE
-        "$<$<COMPILE_LANGUAGE:CUDA>:--extended-lambda;-O3;-Xcompiler=-O2>")
+        "$<$<COMPILE_LANGUAGE:CUDA>:--extended-lambda;-O3;-ftz=true;-Xcompiler=-O2>")
     target_include_directories(${target} PRIVATE
         ${PROJECT_SOURCE_DIR}/libsrc ${PROJECT_BINARY_DIR}/include)
 endfunction()

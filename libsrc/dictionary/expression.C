@@ -32,6 +32,13 @@ static void defineNames(mu::Parser& parser)
     one("ceil", [](double s) { return std::ceil(s); });
     two("pow", [](double s, double n) { return std::pow(s, n); });
     two("mod", [](double s, double n) { return std::fmod(s, n); });
+    // Bessel functions of the first kind, of whole order n
+    one("j0", [](double s) { return ::j0(s); });
+    one("j1", [](double s) { return ::j1(s); });
+    two("jn", [](double n, double s)
+    {
+        return n == std::rint(n) ? ::jn(int(n), s) : std::nan("");
+    });
     parser.DefineFun
     (
         "if",

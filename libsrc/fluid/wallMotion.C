@@ -33,6 +33,30 @@ private:
 };
 
 
+class sliding
+:
+    public wallMotion
+{
+public:
+
+    explicit sliding(const dictionary& d)
+    :
+        velocity_(d.getDimensionedVector("velocity", dimensions::velocity))
+    {}
+
+    rigidState at(double) const override
+    {
+        rigidState s;
+        s.velocity = velocity_;
+        return s;
+    }
+
+private:
+
+    vector velocity_;
+};
+
+
 class oscillation
 :
     public wallMotion
@@ -125,6 +149,7 @@ private:
 
 
 const wallMotion::table::add<translation> addTranslation("translation");
+const wallMotion::table::add<sliding> addSliding("sliding");
 const wallMotion::table::add<oscillation> addOscillation("oscillation");
 const wallMotion::table::add<rotation> addRotation("rotation");
 

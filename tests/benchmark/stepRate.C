@@ -19,7 +19,8 @@ static double now()
     return std::chrono::duration<double>(t).count();
 }
 
-//- full: all that a long run on moving particles needs, one evaluation a step
+//- full: all that a run on moving particles needs, one evaluation a step;
+//  fullSymplectic: as recommended for long runs, density first, then velocity
 static void choose(const std::string& word, int D, particleSchemes& s)
 {
     if (word == "radial")
@@ -27,13 +28,17 @@ static void choose(const std::string& word, int D, particleSchemes& s)
         return;
     }
     s.areaWeights = particleSchemes::weight::moment;
-    if (word == "hermite" || word == "full")
+    if (word == "moment")
     {
-        s.faces = particleSchemes::face::hermite;
+        return;
     }
-    if (word == "full")
+    s.faces = particleSchemes::face::hermite;
+    if (word == "fullSymplectic")
     {
         s.time = particleSchemes::timeScheme::symplecticEuler;
+    }
+    if (word != "hermite")
+    {
         s.weightExponent = 3;
         s.dissipation = 0.1;
         s.shifting = 0.5;
@@ -54,7 +59,7 @@ static int measure(int argc, char** argv)
             {"steps", "S", "steps in each of three measurements"},
             {"displace", "SHARE", "random displacement in spacings"},
             {"refresh", "STEPS", "refresh neighbours every so many steps"},
-            {"scheme", "radial|moment|hermite|full", "default radial"}
+            {"scheme", "WORD", "radial (default), moment, hermite, full, fullSymplectic"}
         },
         false
     );
