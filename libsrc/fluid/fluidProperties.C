@@ -141,7 +141,10 @@ fluidProperties fluidProperties::read
     if (fs::exists(gravity))
     {
         const dictionary g = dictionary::fromFile(gravity);
-        g.found("dimensions");
+        if (g.found("dimensions"))
+        {
+            g.tokens("dimensions");
+        }
         p.g = g.getDimensionedVector("value", dimensions::acceleration);
         g.warnUnread();
     }

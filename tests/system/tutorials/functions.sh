@@ -60,10 +60,25 @@ expect()
     fi
 }
 
-# Of an error that falls from the first to the second while h is halved
+# order ERROR ERROR [FACTOR]: of an error that falls from the first to the
+# second while h is divided by FACTOR, 2 by default
 order()
 {
-    awk -v a="$1" -v b="$2" 'BEGIN { printf "%.3f\n", log(a/b)/log(2) }'
+    awk -v a="$1" -v b="$2" -v f="${3:-2}" \
+        'BEGIN { printf "%.3f\n", log(a/b)/log(f) }'
+}
+
+# tableValue FILE TIME N: the N-th column of a function object's table
+tableValue()
+{
+    awk -v t="$2" -v n="$3" '$1 == t { found = 1; print $n }
+        END { if (!found) print "no row of Time " t }' "$work/$1"
+}
+
+# ratio A B
+ratio()
+{
+    awk -v a="$1" -v b="$2" 'BEGIN { printf "%.6g\n", a/b }'
 }
 
 isFile()
