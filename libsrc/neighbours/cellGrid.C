@@ -20,12 +20,15 @@ cellGrid cellGrid::of(const domain& d, const frame& f, double searchRadius)
         g.world[i] = 1;
         g.first[i] = 0;
         g.count[i] = 1;
+        g.widthSquared[i] = 0;
         if (i >= d.dimensions)
         {
             continue;
         }
         g.world[i] = std::max(1, int(std::floor(span[i]/cell)));
         g.count[i] = g.world[i];
+        const double inRadii = span[i]/g.world[i]/searchRadius;
+        g.widthSquared[i] = float(0.9999*inRadii*inRadii);
         if (!f.periodic[i])
         {
             const double width = span[i]/g.world[i];

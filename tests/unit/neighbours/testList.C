@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 using namespace gpuFsi;
 
 namespace
@@ -38,10 +40,17 @@ std::vector<int> bruteForce
     const vector q = space.quantum<Real>();
     const double unit = finder<Real, D>::unit/radius;
     std::vector<int> list(std::size_t(p.size)*nDirections<D>);
+    const auto far = [&](double quantum)
+    {
+        const double most =
+            0.99*double(std::numeric_limits<coordinateOf<Real>>::max());
+        return coordinateOf<Real>(std::min(most, 1.01*radius/quantum));
+    };
     const finder<Real, D> f
     {
         p.place[0].data(), p.id.data(), p.nWalls,
-        {q.x*unit, q.y*unit, q.z*unit}, list.data(), std::size_t(p.size)
+        {q.x*unit, q.y*unit, q.z*unit}, {far(q.x), far(q.y), far(q.z)},
+        list.data(), std::size_t(p.size)
     };
     for (int i = 0; i < p.size; ++i)
     {

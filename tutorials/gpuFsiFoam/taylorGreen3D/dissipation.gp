@@ -1,5 +1,5 @@
-# Rate at which kinetic and internal energy are lost, by differences of the
-# budgets, beside the reference: postProcessing/dissipation.png
+# Rate at which kinetic and internal energy are lost, beside the reference:
+# postProcessing/dissipation.png
 set terminal pngcairo size 760,440 font "sans,12"
 set output "postProcessing/dissipation.png"
 set xlabel "t  [s]"
@@ -8,11 +8,7 @@ set grid lt 1 lc rgb "#dddddd"
 set key top left samplen 3 spacing 1.3
 set xrange [0:10]
 set yrange [0:16]
-reference = "constant/dissipation.dat"
-budgets = "postProcessing/budgets/0/budgets.dat"
-t0 = e0 = NaN
-plot reference using 1:(1e3*$3) with lines lw 2 lc rgb "#21918c" \
-        title "spectral, incompressible", \
-    budgets using (r = -($10 + $11 - e0)/($1 - t0)/$2, m = 0.5*($1 + t0), \
-        t0 = $1, e0 = $10 + $11, m):(1e3*r) with points pt 6 ps 1.1 \
-        lc rgb "#440154" title "particles"
+plot "constant/dissipation.dat" using 1:(1e3*$3) with lines lw 2 \
+        lc rgb "#21918c" title "spectral, incompressible", \
+    "postProcessing/dissipation.dat" using 1:(1e3*$2) with points pt 6 \
+        ps 1.1 lc rgb "#440154" title "particles"
