@@ -33,6 +33,7 @@ public:
             for (const lineCrossing& c : traces[r].crossings)
             {
                 events_.push_back({&c, int(r)});
+                noteOnWall(c);
             }
         }
         std::sort
@@ -79,6 +80,55 @@ private:
 
     using iterator = std::vector<event>::const_iterator;
 
+    //- Lattice points that lie in a wall across the axis of a crossing
+    void noteOnWall(const lineCrossing& c)
+    {
+        const double cells = (c.t - component(lattice_.lo(), c.axis))
+            /lattice_.h() - 0.5;
+        const double i = std::round(cells);
+        const bool on = std::abs(cells - i)*lattice_.h() < tolerance_
+         && i >= 0 && i < lattice_.n(c.axis)
+         && std::abs(component(c.normal, c.axis)) > 1 - 1e-6;
+        if (on)
+        {
+            onWall_.resize(lattice_.size());
+            onWall_
+            [
+                lattice_.firstPoint(c.axis, c.line)
+              + std::size_t(i)*lattice_.stride(c.axis)
+            ] |= 1 << c.axis;
+        }
+    }
+
+    //- What of a chord is not fluid: a line that lies in a wall has only half
+    //  of its width in the fluid, in the edge of two walls a quarter
+    double inWalls(int axis, std::size_t line, double from, double to) const
+    {
+        if (onWall_.empty() || !(to > from))
+        {
+            return 0;
+        }
+        const std::size_t point = lattice_.firstPoint(axis, line);
+        const double h = lattice_.h();
+        double length = 0;
+        for (long i = 0; i < lattice_.n(axis); ++i)
+        {
+            const int walls = onWall_[point + i*lattice_.stride(axis)];
+            double share = 1;
+            for (int other = 0; other < lattice_.dimensions(); ++other)
+            {
+                share *= other != axis && (walls >> other & 1) ? 0.5 : 1;
+            }
+            if (share < 1)
+            {
+                const double low = lattice_.centre(axis, i) - h/2;
+                const double part = std::min(to, low + h) - std::max(from, low);
+                length += (1 - share)*std::max(part, 0.0);
+            }
+        }
+        return length;
+    }
+
     //- Returns the length of fluid on the line
     double sweep(int axis, std::size_t line, iterator first, iterator last)
     {
@@ -108,7 +158,8 @@ private:
         for (auto e = first; e != last; ++e)
         {
             const double t = std::clamp(e->crossing->t, low, high);
-            length += nOutside == 0 ? t - from : 0;
+            length += nOutside == 0
+                ? t - from - inWalls(axis, line, from, t) : 0;
             from = t;
             nOutside -= !fluid_[e->region];
             fluid_[e->region] = e->crossing->enters;
@@ -121,7 +172,8 @@ private:
               || end < lattice_.centre(axis, lattice_.n(axis) - 1));
             addCandidate(axis, line, e, first, last);
         }
-        length += nOutside == 0 ? high - from : 0;
+        length += nOutside == 0
+            ? high - from - inWalls(axis, line, from, high) : 0;
         noteOpenEnds(axis, point, openLow, openHigh);
         return length;
     }
@@ -227,6 +279,7 @@ private:
     std::vector<char> fluid_;
     double face_;
     std::vector<event> events_;
+    std::vector<std::uint8_t> onWall_;    // by point, a bit an axis
     sweptLines result_;
 };
 

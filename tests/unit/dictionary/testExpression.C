@@ -33,6 +33,17 @@ TEST(expression, arithmetic)
 }
 
 
+TEST(expression, besselFunctions)
+{
+    // Zeros of J0 and J1, a table's value, and J0 + J2 = 2 J1/x
+    EXPECT_NEAR(evaluate("j0(2.404825557695773)"), 0, 1e-15);
+    EXPECT_NEAR(evaluate("j1(3.831705970207512)"), 0, 1e-15);
+    EXPECT_NEAR(evaluate("jn(2, 1)"), 0.114903484931900, 1e-15);
+    EXPECT_NEAR(at("j0(x) + jn(2, x) - 2*j1(x)/x", 1.7), 0, 1e-15);
+    EXPECT_TRUE(std::isnan(at("jn(1.5, x)", 1)));
+}
+
+
 TEST(expression, variables)
 {
     EXPECT_EQ(at("-r^2", 3, 4), -25);

@@ -318,3 +318,28 @@ TEST(shapes, unknownTypeListsTheValid)
         EXPECT_NE(text.find("levelSet"), std::string::npos);
     }
 }
+
+
+TEST(shapes, wallsOnLatticePointsHalveTheirCells)
+{
+    // Lattice points at 0, 0.1 .. 1: planes on the first and last of them
+    const char* planes =
+        "low { type plane; point (0 0 0); normal (1 0 0); }"
+        "high { type plane; point (1 0 0); normal (-1 0 0); }"
+        "floor { type plane; point (0 0 0); normal (0 1 0); }"
+        "lid { type plane; point (0 1 0); normal (0 -1 0); }";
+    const lattice across(2, 0.1, {-0.05, -0.05, 0}, {1.05, 1.05, 0}, {});
+    EXPECT_NEAR
+    (
+        seedFluid(across, makeRegions(planes, 2, 0.1)).volume, 1, 1e-12
+    );
+
+    const lattice column
+    (
+        3, 0.1, {-0.05, -0.05, 0}, {1.05, 1.05, 0.5}, {false, false, true}
+    );
+    EXPECT_NEAR
+    (
+        seedFluid(column, makeRegions(planes, 3, 0.1)).volume, 0.5, 1e-12
+    );
+}

@@ -42,6 +42,20 @@ TEST(wallMotion, derivativesFollowThePosition)
     }
 }
 
+TEST(wallMotion, aSlidingWallStaysInItsPlace)
+{
+    const auto m = motion("type sliding; velocity (1 0 -2);");
+    const vector x{0.3, -0.2, 0.5};
+    for (double t : {0.0, 0.7})
+    {
+        EXPECT_EQ(m->at(t).position(x).x, x.x);
+        EXPECT_EQ(m->at(t).position(x).z, x.z);
+        EXPECT_EQ(m->at(t).velocityAt(x).x, 1);
+        EXPECT_EQ(m->at(t).velocityAt(x).z, -2);
+        EXPECT_EQ(m->at(t).accelerationAt(x).x, 0);
+    }
+}
+
 TEST(wallMotion, unknownWordListsTheValidOnes)
 {
     try
