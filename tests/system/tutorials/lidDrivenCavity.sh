@@ -3,8 +3,6 @@
 . "$(dirname "$0")/functions.sh"
 
 copyCase lidDrivenCavity Re100
-setEntry Re100/system/seedParticlesDict rows 100
-setEntry Re100/system/controlDict deltaT 1e-4
 "$work/Re100/Allrun" || exit 1
 while read -r line time worst where noise
 do
