@@ -1,4 +1,4 @@
-# Rate at which kinetic and internal energy are lost, beside the reference:
+# Rate at which kinetic energy is lost, beside the reference:
 # postProcessing/dissipation.png
 set terminal pngcairo size 760,440 font "sans,12"
 set output "postProcessing/dissipation.png"
