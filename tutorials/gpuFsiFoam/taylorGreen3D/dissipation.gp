@@ -5,7 +5,7 @@ set output "postProcessing/dissipation.png"
 set xlabel "t  [s]"
 set ylabel "dissipation rate  [10^{-3} W/kg]"
 set grid lt 1 lc rgb "#dddddd"
-set key top left samplen 3 spacing 1.3
+set key bottom left samplen 3 spacing 1.3
 set xrange [0:10]
 set yrange [0:16]
 plot "constant/dissipation.dat" using 1:(1e3*$3) with lines lw 2 \
