@@ -5,6 +5,7 @@
 
 #include "exact/column.H"
 #include "exact/fourierSums.H"
+#include "exact/velocitySolution.H"
 
 namespace gpuFsi
 {
@@ -14,7 +15,7 @@ namespace
 
 class couette
 :
-    public exactSolution
+    public velocitySolution
 {
 public:
 
@@ -33,21 +34,6 @@ public:
                 "Give a velocity normal to direction."
             );
         }
-    }
-
-    bool has(const std::string& field) const override
-    {
-        return field == "U";
-    }
-
-    std::vector<double> scalar
-    (
-        const std::string&,
-        const std::vector<vector>& points,
-        double
-    ) const override
-    {
-        return std::vector<double>(points.size(), 0);
     }
 
     std::vector<vector> vectors

@@ -3,7 +3,7 @@
 //  Keys: radius (m), origin ((0 0 0)) on the axis, axis ((1 0 0)), g (m/s^2;
 //  only its part along the axis drives), rho0, nu.
 
-#include "exact/exactSolution.H"
+#include "exact/velocitySolution.H"
 
 #include <cmath>
 #include <limits>
@@ -32,7 +32,7 @@ double zeroOfJ0(int n)
 
 class hagenPoiseuille
 :
-    public exactSolution
+    public velocitySolution
 {
 public:
 
@@ -53,21 +53,6 @@ public:
         }
         axis_ = (1/length)*axis_;
         drive_ = dot(axis_, dict.getOrDefault<vector>("g", fluid.g));
-    }
-
-    bool has(const std::string& field) const override
-    {
-        return field == "U";
-    }
-
-    std::vector<double> scalar
-    (
-        const std::string&,
-        const std::vector<vector>& points,
-        double
-    ) const override
-    {
-        return std::vector<double>(points.size(), 0);
     }
 
     std::vector<vector> vectors

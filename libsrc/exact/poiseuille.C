@@ -4,6 +4,7 @@
 
 #include "exact/column.H"
 #include "exact/fourierSums.H"
+#include "exact/velocitySolution.H"
 
 namespace gpuFsi
 {
@@ -13,7 +14,7 @@ namespace
 
 class poiseuille
 :
-    public exactSolution
+    public velocitySolution
 {
 public:
 
@@ -32,21 +33,6 @@ public:
                 "Set mu or nu in constant/fluidProperties, or nu here."
             );
         }
-    }
-
-    bool has(const std::string& field) const override
-    {
-        return field == "U";
-    }
-
-    std::vector<double> scalar
-    (
-        const std::string&,
-        const std::vector<vector>& points,
-        double
-    ) const override
-    {
-        return std::vector<double>(points.size(), 0);
     }
 
     std::vector<vector> vectors

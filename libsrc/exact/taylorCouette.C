@@ -3,7 +3,7 @@
 //  Keys: innerRadius, outerRadius (m), innerOmega, outerOmega (rad/s, default
 //  0, by the right-hand rule), origin ((0 0 0)), axis ((0 0 1)).
 
-#include "exact/exactSolution.H"
+#include "exact/velocitySolution.H"
 
 #include <cmath>
 #include <limits>
@@ -19,7 +19,7 @@ constexpr double tiny = std::numeric_limits<double>::min();
 
 class taylorCouette
 :
-    public exactSolution
+    public velocitySolution
 {
 public:
 
@@ -56,21 +56,6 @@ public:
         const double b = outer*outer;
         A_ = (out*b - in*a)/(b - a);
         B_ = (in - out)*a*b/(b - a);
-    }
-
-    bool has(const std::string& field) const override
-    {
-        return field == "U";
-    }
-
-    std::vector<double> scalar
-    (
-        const std::string&,
-        const std::vector<vector>& points,
-        double
-    ) const override
-    {
-        return std::vector<double>(points.size(), 0);
     }
 
     std::vector<vector> vectors
