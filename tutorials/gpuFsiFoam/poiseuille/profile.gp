@@ -2,7 +2,7 @@
 set terminal pngcairo size 800,560 font "sans,12"
 set output "postProcessing/profile.png"
 set grid lt 1 lc rgb "#dddddd"
-set key bottom right samplen 3
+set key bottom center
 set yrange [0:*]
 set xlabel "y  [m]"
 set ylabel "U_x  [m/s]"
