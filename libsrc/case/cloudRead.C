@@ -1,6 +1,7 @@
 #include "case/caseFileIO.H"
 #include "case/cloud.H"
 #include "case/fieldClass.H"
+#include "case/fieldIO.H"
 #include "case/foamFile.H"
 #include "case/foamScanner.H"
 
@@ -350,10 +351,12 @@ std::vector<vector> readPositions(const std::filesystem::path& file)
     return positions;
 }
 
+} // namespace
+
 cloudField readField
 (
     const std::filesystem::path& file,
-    std::size_t nParticles
+    std::optional<std::size_t> size
 )
 {
     const std::string bytes = readCaseFile(file);
@@ -375,7 +378,20 @@ cloudField readField
         );
     }
     cloudField field{header.cls, file.filename().string(), {}};
-    field.values = readValues(scan, header, *cls, field.name, nParticles);
+    if (!size)
+    {
+        size = foamScanner(scan).count();
+        if (*size > scan.remaining())
+        {
+            scan.fail
+            (
+                "The file is too short for " + std::to_string(*size)
+              + " values",
+                "It is truncated: run the program that writes it again."
+            );
+        }
+    }
+    field.values = readValues(scan, header, *cls, field.name, *size);
     if (cls->isLabel)
     {
         checkLabelValues(scan, field.values, field.name);
@@ -383,8 +399,6 @@ cloudField readField
     checkEnd(scan);
     return field;
 }
-
-} // namespace
 
 cloud readCloud
 (

@@ -1,6 +1,7 @@
 #include "case/caseFileIO.H"
 #include "case/cloud.H"
 #include "case/fieldClass.H"
+#include "case/fieldIO.H"
 #include "case/foamFile.H"
 
 #include <charconv>
@@ -53,8 +54,7 @@ void appendPrinted(caseFileWriter& out, int nNumbers, const Print& printer)
 
 foamFile headerFor
 (
-    const std::filesystem::path& timeDirectory,
-    const std::string& cloudName,
+    const std::string& location,
     const std::string& cls,
     const std::string& object,
     const writeOptions& options
@@ -63,8 +63,7 @@ foamFile headerFor
     foamFile header;
     header.format = options.binary ? "binary" : "ascii";
     header.cls = cls;
-    header.location = timeDirectory.filename().string() + "/lagrangian/"
-        + cloudName;
+    header.location = location;
     header.object = object;
     return header;
 }
@@ -234,6 +233,35 @@ void appendAscii
 
 } // namespace
 
+std::size_t writeField
+(
+    const std::filesystem::path& directory,
+    const std::string& location,
+    const cloudField& field,
+    const writeOptions& options
+)
+{
+    const bool labels = findFieldClass(field.cls)->isLabel;
+    if (labels)
+    {
+        checkLabels(field);
+    }
+    caseFileWriter out
+    (
+        directory/field.name, options.compress && !options.binary
+    );
+    out.append(headerFor(location, field.cls, field.name, options).text());
+    if (options.binary)
+    {
+        appendBinary(out, field, labels);
+    }
+    else
+    {
+        appendAscii(out, field, labels, options.precision);
+    }
+    return out.finish();
+}
+
 std::size_t writeCloud
 (
     const std::filesystem::path& timeDirectory,
@@ -243,26 +271,24 @@ std::size_t writeCloud
 {
     const std::filesystem::path directory =
         timeDirectory/"lagrangian"/particles.name;
-    const bool compress = options.compress && !options.binary;
+    const std::string location =
+        timeDirectory.filename().string() + "/lagrangian/" + particles.name;
     std::size_t written =
         writeCloudProperties(timeDirectory, particles.name);
 
-    const auto writeFile =
-        [&](const std::string& cls, const std::string& name, auto&& body)
-    {
-        caseFileWriter out(directory/name, compress);
-        out.append
+    caseFileWriter out
+    (
+        directory/"positions", options.compress && !options.binary
+    );
+    out.append
+    (
+        headerFor
         (
-            headerFor(timeDirectory, particles.name, cls, name, options).text()
-        );
-        body(out);
-        written += out.finish();
-    };
-
-    writeFile("Cloud<passiveParticle>", "positions", [&](caseFileWriter& out)
-    {
-        appendPositions(out, particles.positions, options);
-    });
+            location, "Cloud<passiveParticle>", "positions", options
+        ).text()
+    );
+    appendPositions(out, particles.positions, options);
+    written += out.finish();
     for (const cloudField& field : particles.fields)
     {
         developerAssert
@@ -270,22 +296,7 @@ std::size_t writeCloud
             field.values.size() == particles.size()*field.nComponents(),
             "cloud field with another size than the positions"
         );
-        const bool labels = findFieldClass(field.cls)->isLabel;
-        if (labels)
-        {
-            checkLabels(field);
-        }
-        writeFile(field.cls, field.name, [&](caseFileWriter& out)
-        {
-            if (options.binary)
-            {
-                appendBinary(out, field, labels);
-            }
-            else
-            {
-                appendAscii(out, field, labels, options.precision);
-            }
-        });
+        written += writeField(directory, location, field, options);
     }
     return written;
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gpuFsi
@@ -32,6 +33,35 @@ bool finite(const vector& v)
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+std::string listed(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words)
+    {
+        text += (text.empty() ? "" : " ") + quoted(word);
+    }
+    return text;
+}
+
+//- Entries that are there only with solids
+std::string solidsText(const domain& d)
+{
+    if (d.solids.empty())
+    {
+        return {};
+    }
+    std::string text =
+        "\n// By index in constant/solid\nsolids      (" + listed(d.solids)
+      + ");\n";
+    std::string parts;
+    for (const domain::solidPart& p : d.solidParts)
+    {
+        parts += (parts.empty() ? "(" : " (") + listed({p.solid, p.name})
+            + ")";
+    }
+    return parts.empty() ? text : text + "solidParts  (" + parts + ");\n";
+}
+
 [[noreturn]] void reject
 (
     const dictionary& dict,
@@ -47,6 +77,51 @@ bool finite(const vector& v)
     );
 }
 
+void readSolids(const dictionary& dict, domain& d)
+{
+    d.solids = dict.getOrDefault("solids", std::vector<std::string>());
+    if (!dict.found("solidParts"))
+    {
+        return;
+    }
+    std::vector<std::string> words;
+    for (const token& t : dict.tokens("solidParts"))
+    {
+        if (t.type != token::kind::punctuation)
+        {
+            words.push_back(t.text);
+        }
+    }
+    for (std::size_t i = 0; i + 1 < words.size(); i += 2)
+    {
+        d.solidParts.push_back({words[i], words[i + 1]});
+        if
+        (
+            std::find(d.solids.begin(), d.solids.end(), words[i])
+         == d.solids.end()
+        )
+        {
+            reject
+            (
+                dict,
+                "solidParts",
+                "Part " + words[i + 1] + " is of " + words[i]
+              + ", which is no solid"
+            );
+        }
+    }
+    if (words.size() % 2)
+    {
+        reject
+        (
+            dict,
+            "solidParts",
+            "solidParts holds pairs of a solid and a part, found "
+          + std::to_string(words.size()) + " words"
+        );
+    }
+}
+
 } // namespace
 
 void domain::write(const std::filesystem::path& casePath) const
@@ -56,11 +131,6 @@ void domain::write(const std::filesystem::path& casePath) const
     header.location = "constant";
     header.object = "domain";
     const auto yes = [&](int d) { return periodic[d] ? "yes" : "no"; };
-    std::string names;
-    for (const std::string& wall : walls)
-    {
-        names += (names.empty() ? "" : " ") + quoted(wall);
-    }
     writeTextFile
     (
         casePath/"constant/domain",
@@ -77,8 +147,8 @@ void domain::write(const std::filesystem::path& casePath) const
             "// By patch index\n"
             "walls       ({});\n",
             dimensions, spacing, triple(lo), triple(hi), yes(0), yes(1),
-            yes(2), volume, names
-        )
+            yes(2), volume, listed(walls)
+        ) + solidsText(*this)
     );
 }
 
@@ -157,6 +227,7 @@ domain domain::read(const std::filesystem::path& casePath)
     {
         d.periodic[axis] = periodic[axis];
     }
+    readSolids(dict, d);
     dict.warnUnread();
     return d;
 }

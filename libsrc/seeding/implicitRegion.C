@@ -259,13 +259,78 @@ implicitRegion::implicitRegion(const regionInput& input, bool isDistance)
 :
     region(input),
     isDistance_(isDistance),
-    dimensions_(input.dimensions)
+    dimensions_(input.dimensions),
+    spacing_(input.spacing)
 {}
 
 
 regionTrace implicitRegion::trace(const lattice& l) const
 {
     return std::move(tracer(*this, l).result);
+}
+
+
+std::vector<std::uint8_t> implicitRegion::contains
+(
+    const std::vector<vector>& points,
+    double slack
+) const
+{
+    std::vector<std::uint8_t> result(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const double f = phi(points[i]);
+        result[i] = f <= 0 || (isDistance_ && f <= slack);
+        if (f > 0 && !isDistance_)
+        {
+            const vector g = gradient(points[i], 1e-4*spacing_);
+            result[i] = f <= slack*magnitude(g);
+        }
+    }
+    return result;
+}
+
+
+std::optional<surfacePoint> implicitRegion::nearest(const vector& p) const
+{
+    const double h = spacing_;
+    vector x = p;
+    vector n{};
+    for (int round = 0; round < 20; ++round)
+    {
+        double last = INFINITY;
+        for (int step = 0; step < 50 && last > 1e-13*h; ++step)
+        {
+            const vector g =
+                (fluidInside() ? 1.0 : -1.0)*gradient(x, 1e-4*h);
+            const double g2 = dot(g, g);
+            const double move = -phi(x)/g2;
+            if (!(g2 > 0) || !std::isfinite(move))
+            {
+                return {};
+            }
+            last = std::abs(move)*std::sqrt(g2);
+            n = (1/std::sqrt(g2))*g;
+            x = x + (last > h ? move*h/last : move)*g;
+        }
+        if (last > 1e-10*h)
+        {
+            return {};
+        }
+        const vector d = p - x;
+        const vector along = d - dot(d, n)*n;
+        const double length = magnitude(along);
+        if (length < 1e-3*h)
+        {
+            break;
+        }
+        x = x + (length > 0.5*h ? 0.5*h/length : 1.0)*along;
+        if (round == 19)
+        {
+            return {};
+        }
+    }
+    return surfacePoint{x, n, 0};
 }
 
 

@@ -65,6 +65,64 @@ void addPoints
     }
 }
 
+//- Nodes of a solid with fluid within 1.5 h of them: others are inside a wall
+//  or between two solids
+void addNodes
+(
+    const lattice& l,
+    const std::vector<std::uint8_t>& bulk,
+    const std::vector<surfacePoint>& nodes,
+    int region,
+    std::vector<wallCandidate>& candidates
+)
+{
+    const double reach = 1.5*l.h()*(1 + 1e-6);
+    const auto nearFluid = [&](const vector& p)
+    {
+        std::array<long, 3> low{}, count{1, 1, 1};
+        for (int axis = 0; axis < l.dimensions(); ++axis)
+        {
+            const double x = component(p, axis) - component(l.lo(), axis);
+            low[axis] = long(std::floor(x/l.h())) - 2;
+            count[axis] = 5;
+        }
+        for (int i = 0; i < count[0]*count[1]*count[2]; ++i)
+        {
+            std::array<long, 3> c
+            {
+                low[0] + i % 5, low[1] + i/5 % 5, low[2] + i/25
+            };
+            bool on = true;
+            for (int axis = 0; axis < l.dimensions(); ++axis)
+            {
+                const long n = l.n(axis);
+                c[axis] = l.periodic(axis) ? (c[axis] % n + n) % n : c[axis];
+                on = on && c[axis] >= 0 && c[axis] < n;
+            }
+            const std::size_t q = on ? l.index(c[0], c[1], c[2]) : 0;
+            if
+            (
+                on && bulk[q]
+             && magnitude(l.difference(l.point(q), p)) <= reach
+            )
+            {
+                return true;
+            }
+        }
+        return false;
+    };
+    for (const surfacePoint& s : nodes)
+    {
+        if (nearFluid(s.position))
+        {
+            candidates.push_back
+            ({
+                {s.position, s.normal, s.area, region, s.node}, 3, false
+            });
+        }
+    }
+}
+
 //- Crossings become no particles where points are given; they give their area
 //  to the points unless these have areas
 void leaveToPoints
@@ -154,14 +212,14 @@ seededParticles seedFluid(const lattice& l, const regionList& regions)
     }
 
     seededParticles result;
+    std::vector<std::uint8_t> bulk(l.size(), 1);
     for (std::size_t i = 0; i < l.size(); ++i)
     {
-        bool bulk = true;
         for (const regionTrace& t : traces)
         {
-            bulk = bulk && t.inside[i] && !t.close[i];
+            bulk[i] = bulk[i] && t.inside[i] && !t.close[i];
         }
-        if (bulk)
+        if (bulk[i])
         {
             result.bulk.push_back(l.point(i));
         }
@@ -180,7 +238,15 @@ seededParticles seedFluid(const lattice& l, const regionList& regions)
     leaveToPoints(traces, lines.candidates);
     for (std::size_t r = 0; r < traces.size(); ++r)
     {
-        addPoints(l, traces, int(r), lines.candidates);
+        const auto& points = traces[r].points;
+        if (!points.empty() && points[0].node >= 0)
+        {
+            addNodes(l, bulk, points, int(r), lines.candidates);
+        }
+        else
+        {
+            addPoints(l, traces, int(r), lines.candidates);
+        }
     }
     result.nCandidates.resize(regions.size());
     result.nWalls.resize(regions.size());

@@ -70,6 +70,37 @@ double boxRegion::phi(const vector& p) const
 }
 
 
+std::optional<surfacePoint> boxRegion::nearest(const vector& p) const
+{
+    vector on = p;
+    vector away{0, 0, 0};
+    int face = 0;
+    double most = -INFINITY;
+    for (int axis = 0; axis < dimensions_; ++axis)
+    {
+        const double x = component(p, axis);
+        const double low = component(lo_, axis);
+        const double high = component(hi_, axis);
+        component(on, axis) = std::clamp(x, low, high);
+        component(away, axis) = x - component(on, axis);
+        const double d = std::max(low - x, x - high);
+        face = d > most ? axis : face;
+        most = std::max(d, most);
+    }
+    if (most > 0)
+    {
+        return surfacePoint{on, (1/magnitude(away))*away, 0};
+    }
+    const double low = component(lo_, face);
+    const double high = component(hi_, face);
+    const bool upper = component(p, face) - low > high - component(p, face);
+    component(on, face) = upper ? high : low;
+    vector normal{0, 0, 0};
+    component(normal, face) = upper ? 1 : -1;
+    return surfacePoint{on, normal, 0};
+}
+
+
 std::optional<box> boxRegion::bounds() const
 {
     return box{lo_, hi_};
@@ -106,6 +137,16 @@ sphereRegion::sphereRegion(const regionInput& input)
 double sphereRegion::phi(const vector& p) const
 {
     return magnitude(p - centre_) - radius_;
+}
+
+
+std::optional<surfacePoint> sphereRegion::nearest(const vector& p) const
+{
+    vector d = p - centre_;
+    d.z = dimensions_ == 2 ? 0 : d.z;
+    const double r = magnitude(d);
+    const vector n = r > 0 ? (1/r)*d : vector{1, 0, 0};
+    return surfacePoint{centre_ + radius_*n, n, 0};
 }
 
 
@@ -176,6 +217,41 @@ double cylinderRegion::phi(const vector& p) const
     return radial > 0 && axial > 0
         ? std::hypot(radial, axial)
         : std::max(radial, axial);
+}
+
+
+std::optional<surfacePoint> cylinderRegion::nearest(const vector& p) const
+{
+    const vector d = p - point1_;
+    const double along = dot(d, axis_);
+    vector across = d - along*axis_;
+    double r = magnitude(across);
+    if (!(r > 0))
+    {
+        // Any direction across the axis
+        vector aside{0, 0, 0};
+        component(aside, std::abs(axis_.x) < 0.9 ? 0 : 1) = 1;
+        across = cross(axis_, aside);
+        r = magnitude(across);
+        across = (1e-300/r)*across;
+        r = 1e-300;
+    }
+    const vector n = (1/r)*across;
+    const double radial = r - radius_;
+    const double axial = std::max(-along, along - length_);
+    const vector foot = p + (-radial)*n;
+    if (dimensions_ == 2 || (axial <= 0 && radial >= axial))
+    {
+        return surfacePoint{foot, n, 0};
+    }
+    const double sign = along > 0.5*length_ ? 1 : -1;
+    if (radial <= 0)
+    {
+        return surfacePoint{p + (-axial*sign)*axis_, sign*axis_, 0};
+    }
+    const vector rim = foot + (-axial*sign)*axis_;
+    const vector away = p - rim;
+    return surfacePoint{rim, (1/magnitude(away))*away, 0};
 }
 
 

@@ -20,7 +20,7 @@ auto place(const wallParticle& p)
     );
 }
 
-//- Nearest accepted particle: of the same side of the same wall if there is
+//- Nearest accepted particle, but no solid's node: of the same side of the same wall if there is
 //  one, else of any wall
 long heir
 (
@@ -44,7 +44,7 @@ long heir
                 const bool same =
                     accepted[q].patch == p.patch
                  && dot(accepted[q].normal, p.normal) > 0;
-                if (same || !sameWall)
+                if ((same || !sameWall) && accepted[q].node < 0)
                 {
                     best = std::min(best, std::make_pair(d2, long(q)));
                 }
@@ -93,12 +93,14 @@ thinnedWalls thin
     for (const wallCandidate& c : candidates)
     {
         const wallParticle& p = c.particle;
+        const bool node = p.node >= 0;
         bool free = !c.areaOnly;
         const auto visit = [&](std::size_t q, double d2)
         {
             const bool back = dot(accepted[q].normal, p.normal) < -0.5;
             const double least =
-                back ? 0.25*h
+                accepted[q].node >= 0 ? (node ? 0 : 0.5*h)
+              : back ? 0.25*h
               : accepted[q].patch == p.patch ? 0.7*h
               : 0.5*h;
             free = free && d2 >= least*least;

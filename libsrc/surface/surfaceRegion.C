@@ -3,6 +3,7 @@
 #include "base/log.H"
 #include "surface/checkSurface.H"
 #include "surface/lineRaster.H"
+#include "surface/polygonMesh.H"
 #include "surface/readSurface.H"
 
 #include <fmt/format.h>
@@ -88,6 +89,22 @@ std::optional<double> surfaceRegion::volume() const
     return dimensions_ == 3
         ? std::optional<double>(surface_.volume())
         : std::nullopt;
+}
+
+
+std::vector<std::uint8_t> surfaceRegion::contains
+(
+    const std::vector<vector>& points,
+    double
+) const
+{
+    const std::vector<int> sides = sideOf(surface_, points);
+    std::vector<std::uint8_t> result(points.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+    {
+        result[i] = sides[i] >= 0;
+    }
+    return result;
 }
 
 

@@ -82,19 +82,29 @@ cloud makeFluid(const seedSettings& settings, const seededParticles& seeded)
     return fluid;
 }
 
-cloud makeWalls(const seedSettings& settings, const seededParticles& seeded)
+cloud makeWalls
+(
+    const seedSettings& settings,
+    const seededParticles& seeded,
+    const seededSolids& solids
+)
 {
     cloud walls;
     walls.name = "walls";
     std::vector<vector> normals;
     std::vector<double> areas;
     std::vector<double> patches;
+    std::vector<double> nodes;
+    std::vector<vector> U;
     for (const wallParticle& w : seeded.walls)
     {
         walls.positions.push_back(w.position);
         normals.push_back(w.normal);
         areas.push_back(w.area);
         patches.push_back(w.patch);
+        nodes.push_back(w.node);
+        // Walls rest until their motion is given to the solver
+        U.push_back(w.node < 0 ? vector{0, 0, 0} : solids.U[w.node]);
     }
     for (const seedField& field : settings.fields)
     {
@@ -103,16 +113,29 @@ cloud makeWalls(const seedSettings& settings, const seededParticles& seeded)
             addField(walls, field);
         }
     }
-    // Walls rest until their motion is given to the solver
-    walls.addVector("U", std::vector<vector>(walls.size(), {0, 0, 0}));
+    walls.addVector("U", U);
     walls.addVector("normal", normals);
     walls.addScalar("area", std::move(areas));
     walls.addLabel("patch", std::move(patches));
+    if (!solids.mesh.empty())
+    {
+        walls.addLabel("node", std::move(nodes));
+    }
     return walls;
 }
 
-//- The former one goes aside, to be removed with it
-void replaceFolder
+cloud makeSolid(const seededSolids& solids)
+{
+    cloud solid;
+    solid.name = "solid";
+    solid.positions = solids.mesh.points;
+    solid.addVector("U", solids.U);
+    solid.addVector("referencePosition", solids.mesh.points);
+    return solid;
+}
+
+//- Goes aside, to be removed with it
+void removeFolder
 (
     const std::filesystem::path& aside,
     const std::filesystem::path& casePath,
@@ -121,9 +144,19 @@ void replaceFolder
 {
     if (std::filesystem::exists(casePath/name))
     {
-        std::filesystem::create_directories(aside/"former"/name);
+        std::filesystem::create_directories((aside/"former"/name).parent_path());
         std::filesystem::rename(casePath/name, aside/"former"/name);
     }
+}
+
+void replaceFolder
+(
+    const std::filesystem::path& aside,
+    const std::filesystem::path& casePath,
+    const std::string& name
+)
+{
+    removeFolder(aside, casePath, name);
     std::filesystem::rename(aside/name, casePath/name);
 }
 
@@ -159,12 +192,20 @@ writeOptions readWriteOptions(const std::filesystem::path& casePath)
 std::vector<cloud> makeClouds
 (
     const seedSettings& settings,
-    const seededParticles& seeded
+    const seededParticles& seeded,
+    const seededSolids& solids
 )
 {
     std::vector<cloud> clouds;
-    clouds.push_back(makeFluid(settings, seeded));
-    clouds.push_back(makeWalls(settings, seeded));
+    if (settings.fluid)
+    {
+        clouds.push_back(makeFluid(settings, seeded));
+        clouds.push_back(makeWalls(settings, seeded, solids));
+    }
+    if (!solids.mesh.empty())
+    {
+        clouds.push_back(makeSolid(solids));
+    }
     return clouds;
 }
 
@@ -172,7 +213,8 @@ std::vector<cloud> makeClouds
 domain makeDomain
 (
     const seedSettings& settings,
-    const seededParticles& seeded
+    const seededParticles& seeded,
+    const seededSolids& solids
 )
 {
     const lattice& l = *settings.mesh;
@@ -187,6 +229,11 @@ domain makeDomain
     {
         d.walls.push_back(region->name());
     }
+    d.solids = solids.mesh.names;
+    for (const solidMesh::partName& p : solids.mesh.parts)
+    {
+        d.solidParts.push_back({d.solids[p.solid], p.name});
+    }
     return d;
 }
 
@@ -196,6 +243,7 @@ std::size_t writeSeed
     const std::filesystem::path& casePath,
     const std::vector<cloud>& clouds,
     const domain& d,
+    const solidMesh& solids,
     const writeOptions& options
 )
 {
@@ -212,6 +260,10 @@ std::size_t writeSeed
             bytes += writeCloud(aside/"0", c, options);
         }
         d.write(aside);
+        if (!solids.empty())
+        {
+            bytes += solids.write(aside, options);
+        }
         const double half = 0.5*d.spacing;
         const vector margin{half, half, half};
         writeBoxMesh(aside, d.lo - margin, d.hi + margin);
@@ -220,6 +272,14 @@ std::size_t writeSeed
         fs::create_directories(casePath/"constant");
         replaceFolder(aside, casePath, "0/lagrangian");
         replaceFolder(aside, casePath, "constant/polyMesh");
+        if (solids.empty())
+        {
+            removeFolder(aside, casePath, "constant/solid");
+        }
+        else
+        {
+            replaceFolder(aside, casePath, "constant/solid");
+        }
         fs::rename(aside/"constant/domain", casePath/"constant/domain");
         writeReaderFiles(casePath);
     }

@@ -23,7 +23,7 @@ static int seedParticles(int argc, char** argv)
     (
         argc,
         argv,
-        "Seed fluid and wall particles from system/seedParticlesDict.",
+        "Seed fluid, wall and solid particles from system/seedParticlesDict.",
         {{
             "dict", "file",
             "relative to the case, default system/seedParticlesDict"
@@ -38,27 +38,46 @@ static int seedParticles(int argc, char** argv)
         /args.getOrDefault("dict", "system/seedParticlesDict");
     info("Reading {}\n", file.string());
     const dictionary dict = dictionary::fromFile(file);
-    const seedSettings settings(dict, args.casePath());
+    seedSettings settings(dict, args.casePath());
     reportSettings(settings);
 
-    seededParticles seeded = seedFluid(*settings.mesh, settings.regions);
+    seededSolids solids = seedSolids(std::move(settings.solids), *settings.mesh);
+    reportSolids(solids.reports);
+    for (auto& solid : solids.regions)
+    {
+        settings.regions.push_back(std::move(solid));
+    }
+    seededParticles seeded;
+    if (settings.fluid)
+    {
+        seeded = seedFluid(*settings.mesh, settings.regions);
+    }
     if (settings.displace > 0)
     {
         displaceBulk(*settings.mesh, seeded, settings.displace, settings.seed);
     }
-    reportSeeded(settings, seeded);
+    if (settings.fluid)
+    {
+        reportSeeded(settings, seeded);
+    }
 
-    const std::vector<cloud> clouds = makeClouds(settings, seeded);
+    const std::vector<cloud> clouds = makeClouds(settings, seeded, solids);
     dict.warnUnread();
     const std::size_t bytes = writeSeed
     (
         args.casePath(),
         clouds,
-        makeDomain(settings, seeded),
+        makeDomain(settings, seeded, solids),
+        solids.mesh,
         options
     );
-    info("Wrote 0/lagrangian ({:.3g} MB), constant/domain, constant/polyMesh"
-        " and {}.foam\n", 1e-6*bytes, args.caseName());
+    info
+    (
+        "Wrote 0/lagrangian ({:.3g} MB), constant/domain, constant/polyMesh{}"
+        " and {}.foam\n",
+        1e-6*bytes, solids.mesh.empty() ? "" : ", constant/solid",
+        args.caseName()
+    );
     const std::chrono::duration<double> clock =
         std::chrono::steady_clock::now() - start;
     info

@@ -34,6 +34,43 @@ void reportSettings(const seedSettings& settings)
 }
 
 
+void reportSolids(const std::vector<solidReport>& solids)
+{
+    if (solids.empty())
+    {
+        return;
+    }
+    info("Solids");
+    for (const solidReport& s : solids)
+    {
+        info("    {}: {}", s.name, s.shape);
+        info
+        (
+            "        nodes         {}, {} of them on the surface, area {:.6g}",
+            s.nNodes, s.nSurface, s.area
+        );
+        info
+        (
+            "        cells         {}, volumes {:.4g} to {:.4g}, edges {:.4g}"
+            " to {:.4g}",
+            s.nCells, s.cellVolumes.first, s.cellVolumes.second,
+            s.edges.first, s.edges.second
+        );
+        info
+        (
+            "        volume        {:.8g}{}", s.volume,
+            s.shapeVolume ? fmt::format(", its shape's {:.8g}", *s.shapeVolume)
+          : std::string()
+        );
+        for (const auto& [part, nodes] : s.parts)
+        {
+            info("        part {}: {} nodes", part, nodes);
+        }
+    }
+    info("");
+}
+
+
 static void warnOpenEnds(const seededParticles& seeded)
 {
     std::size_t total = 0;

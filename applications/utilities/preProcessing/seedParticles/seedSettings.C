@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace gpuFsi
 {
@@ -61,6 +62,7 @@ seedSettings::seedSettings
     const std::filesystem::path& casePath
 )
 :
+    fluid(dict.getOrDefault("fluid", true)),
     displace(dict.getNumberOrDefault("displace", 0, 0, 0.5)),
     seed(dict.getNumberOrDefault("seed", 0, 0, 9007199254740992.0))
 {
@@ -84,7 +86,18 @@ seedSettings::seedSettings
             "Give the distance between particles in metres."
         );
     }
-    readRegions(dict.subDict("regions"), casePath, int(dimensions), spacing);
+    if (const dictionary* given = dict.subDictPtr("solids"))
+    {
+        solids = readSolids(*given, casePath, int(dimensions), spacing);
+    }
+    if (solids.empty() || dict.found("regions"))
+    {
+        readRegions
+        (
+            dict.subDict("regions"), casePath, int(dimensions), spacing
+        );
+    }
+    checkNames();
     const box b = readBounds(dict, int(dimensions), spacing);
     mesh = std::make_unique<lattice>
     (
@@ -129,12 +142,41 @@ void seedSettings::readRegions
 }
 
 
+void seedSettings::checkNames() const
+{
+    for (const solidInput& s : solids)
+    {
+        for (const auto& r : regions)
+        {
+            if (r->name() == s.name)
+            {
+                throw userError
+                (
+                    "Solid " + s.name + " has the name of a region",
+                    s.shape->where(),
+                    "Both name walls: give it another name."
+                );
+            }
+        }
+    }
+    if (!fluid && solids.empty())
+    {
+        throw userError
+        (
+            "fluid is no and there are no solids: nothing is seeded",
+            {},
+            "Add solids, or remove the entry fluid."
+        );
+    }
+}
+
+
 void seedSettings::readFields(const dictionary& dict)
 {
     const dictionary* given = dict.subDictPtr("fields");
     const std::vector<std::string> reserved
     {
-        "positions", "m", "normal", "area", "patch"
+        "positions", "m", "normal", "area", "patch", "node"
     };
     for (const std::string& key : given ? given->keys() : reserved)
     {
@@ -178,6 +220,25 @@ void seedSettings::readFields(const dictionary& dict)
 }
 
 
+box seedSettings::boundsOfSolids() const
+{
+    vector lo{INFINITY, INFINITY, INFINITY};
+    vector hi{-INFINITY, -INFINITY, -INFINITY};
+    for (const solidInput& s : solids)
+    {
+        const auto b = s.shape->bounds();
+        for (int axis = 0; b && axis < 3; ++axis)
+        {
+            component(lo, axis) =
+                std::min(component(lo, axis), component(b->first, axis));
+            component(hi, axis) =
+                std::max(component(hi, axis), component(b->second, axis));
+        }
+    }
+    return {lo, hi};
+}
+
+
 box seedSettings::readBounds
 (
     const dictionary& dict,
@@ -215,6 +276,10 @@ box seedSettings::readBounds
         }
     }
     if (!std::isfinite(lo.x))
+    {
+        std::tie(lo, hi) = boundsOfSolids();
+    }
+    if (!(lo.x <= hi.x))
     {
         throw userError
         (
