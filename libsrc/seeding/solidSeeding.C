@@ -3,6 +3,7 @@
 #include "seeding/solidBody.H"
 #include "seeding/solidOverlap.H"
 #include "seeding/solidRegion.H"
+#include "seeding/solidSnapping.H"
 
 #include <fmt/format.h>
 
@@ -189,16 +190,19 @@ solidBody makeBody(const solidInput& s, const lattice& l, solidReport& report)
         l.periodic(2) ? size.z : 0
     };
     solidBody body(fitLattice(s, l), *s.shape, period);
+    const snapped result = snap(body, *s.shape);
     if (body.mesh.cells.empty())
     {
         throw userError
         (
-            "Solid " + s.name + ": no cell's centre is inside its shape",
+            "Solid " + s.name + ": no cell fits in its shape",
             s.where,
             "Give it a smaller spacing; check the shape and its units."
         );
     }
     report = makeReport(s, body);
+    report.nDropped = result.nDropped;
+    report.nOff = result.nOff;
     for (vector& p : body.mesh.points)
     {
         p = l.wrap(p);

@@ -20,8 +20,8 @@ auto place(const wallParticle& p)
     );
 }
 
-//- Nearest accepted particle, but no solid's node: of the same side of the same wall if there is
-//  one, else of any wall
+//- Nearest accepted particle, but no solid's node: of the same side of the
+//  same wall if there is one, else of any wall
 long heir
 (
     const wallParticle& p,

@@ -95,7 +95,7 @@ std::optional<double> surfaceRegion::volume() const
 std::vector<std::uint8_t> surfaceRegion::contains
 (
     const std::vector<vector>& points,
-    double
+    double slack
 ) const
 {
     const std::vector<int> sides = sideOf(surface_, points);
@@ -103,8 +103,23 @@ std::vector<std::uint8_t> surfaceRegion::contains
     for (std::size_t i = 0; i < result.size(); ++i)
     {
         result[i] = sides[i] >= 0;
+        if (!result[i] && slack > 0)
+        {
+            const auto on = nearest(points[i]);
+            result[i] = on && magnitude(on->position - points[i]) <= slack;
+        }
     }
     return result;
+}
+
+
+std::optional<surfacePoint> surfaceRegion::nearest(const vector& p) const
+{
+    if (!distance_)
+    {
+        distance_ = std::make_unique<surfaceDistance>(surface_, dimensions_);
+    }
+    return distance_->nearest(p);
 }
 
 

@@ -144,8 +144,9 @@ void removeFolder
 {
     if (std::filesystem::exists(casePath/name))
     {
-        std::filesystem::create_directories((aside/"former"/name).parent_path());
-        std::filesystem::rename(casePath/name, aside/"former"/name);
+        const std::filesystem::path former = aside/"former"/name;
+        std::filesystem::create_directories(former.parent_path());
+        std::filesystem::rename(casePath/name, former);
     }
 }
 

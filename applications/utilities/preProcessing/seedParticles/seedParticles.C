@@ -41,7 +41,8 @@ static int seedParticles(int argc, char** argv)
     seedSettings settings(dict, args.casePath());
     reportSettings(settings);
 
-    seededSolids solids = seedSolids(std::move(settings.solids), *settings.mesh);
+    seededSolids solids =
+        seedSolids(std::move(settings.solids), *settings.mesh);
     reportSolids(solids.reports);
     for (auto& solid : solids.regions)
     {

@@ -62,6 +62,22 @@ void reportSolids(const std::vector<solidReport>& solids)
             s.shapeVolume ? fmt::format(", its shape's {:.8g}", *s.shapeVolume)
           : std::string()
         );
+        if (s.nDropped)
+        {
+            info("        dropped       {} cells without room", s.nDropped);
+        }
+        if (s.nOff)
+        {
+            warning
+            (
+                fmt::format
+                (
+                    "Solid {}: {} of its surface nodes are not on the surface"
+                    " of its shape.\n    Give it a smaller spacing.",
+                    s.name, s.nOff
+                )
+            );
+        }
         for (const auto& [part, nodes] : s.parts)
         {
             info("        part {}: {} nodes", part, nodes);
