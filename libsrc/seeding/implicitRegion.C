@@ -159,6 +159,7 @@ private:
     //- From lattice point i to the next
     void traceCell(int axis, std::size_t line, long i, double from, double to)
     {
+        const std::size_t before = result.crossings.size();
         for (int s = 1; s <= samplesPerCell; ++s)
         {
             const double next = s == samplesPerCell
@@ -175,6 +176,18 @@ private:
                 );
             }
             from = next;
+        }
+        // Shapes that end in a periodic bound leave no gap there
+        auto& crossings = result.crossings;
+        if (lattice_.periodic(axis) && crossings.size() == before + 2)
+        {
+            vector gap{0, 0, 0};
+            component(gap, axis) = crossings[before].t - crossings.back().t;
+            gap = lattice_.difference(gap, {0, 0, 0});
+            if (magnitude(gap) < 1e-6*lattice_.h())
+            {
+                crossings.resize(before);
+            }
         }
     }
 

@@ -68,8 +68,12 @@ solidProjection::freedom solidProjection::freedomOf
             continue;
         }
         const bool bound = cut(axis, upper);
-        const bool flat = !bound && there
-         && std::abs(component(on->normal, axis)) > 1 - 1e-6;
+        // A flat end: the node is on it, or beyond its edge but in its plane
+        const bool level = on
+         && std::abs(component(on->position - x, axis))
+         <= onSurface*lattice_.longestEdge();
+        const bool flat = !bound && level
+         && (!there || std::abs(component(on->normal, axis)) > 1 - 1e-6);
         f.fixed[axis] = bound || flat;
         if (flat)
         {

@@ -1,0 +1,117 @@
+#include "solidFixture.H"
+
+using namespace gpuFsi;
+
+namespace
+{
+
+const char* ball = "type sphere; centre (0.03 0.02 0.01); radius 0.45;";
+
+seededParticles withRegions(const lattice& l, regionList& regions)
+{
+    return seedFluid(l, regions);
+}
+
+seededParticles withSolids
+(
+    const lattice& l,
+    const std::string& walls,
+    seededSolids& solids
+)
+{
+    regionList regions = makeRegions(walls, l.dimensions(), l.h());
+    for (auto& r : solids.regions)
+    {
+        regions.push_back(std::move(r));
+    }
+    return seedFluid(l, regions);
+}
+
+} // namespace
+
+TEST(solidsInFluid, fluidIsThatAroundTheShape)
+{
+    const lattice l(3, 0.1, {-1, -1, -1}, {1, 1, 1}, {true, true, true});
+    seededSolids solids = makeSolids(std::string("s { ") + ball + " }", l);
+    const seededParticles s = withSolids(l, "", solids);
+
+    regionList same =
+        makeRegions(std::string("s { side outside; ") + ball + " }", 3, 0.1);
+    const seededParticles expected = withRegions(l, same);
+    ASSERT_EQ(s.bulk.size(), expected.bulk.size());
+    EXPECT_EQ(s.volume, expected.volume);
+
+    const solidReport& r = solids.reports[0];
+    EXPECT_EQ(s.walls.size(), r.nSurface);
+    EXPECT_NEAR(totalArea(s), r.area, 1e-12);
+    vector sum{0, 0, 0};
+    for (const wallParticle& w : s.walls)
+    {
+        ASSERT_GE(w.node, 0);
+        const vector away = w.position - vector{0.03, 0.02, 0.01};
+        EXPECT_LT(magnitude(w.position - solids.mesh.points[w.node]), 1e-15);
+        EXPECT_GT(dot(w.normal, away), 0.99*0.45*0.97);
+        sum += w.area*w.normal;
+    }
+    EXPECT_LT(magnitude(sum), 0.01*r.area);
+    for (const vector& p : s.bulk)
+    {
+        EXPECT_GE(magnitude(p - vector{0.03, 0.02, 0.01}), 0.4999999);
+    }
+}
+
+TEST(solidsInFluid, nodesWithoutFluidAreNoWalls)
+{
+    // A beam that goes 0.3 into a wall, and a block upon its end
+    const lattice l(2, 0.05, {-0.5, -1, 0}, {1.5, 1, 0}, {});
+    seededSolids solids = makeSolids
+    (
+        "beam { type box; min (-0.3 -0.1 0); max (0.7 0.1 0); }"
+        "block { type box; min (0.7 -0.1 0); max (1 0.1 0); }",
+        l
+    );
+    const seededParticles s = withSolids
+    (
+        l,
+        "wall { type box; min (0 -1 0); max (1.5 1 0); }",
+        solids
+    );
+    for (const wallParticle& w : s.walls)
+    {
+        if (w.node >= 0)
+        {
+            EXPECT_GT(w.position.x, -0.075001);
+            const bool between =
+                w.position.x == 0.7 && std::abs(w.position.y) < 0.02;
+            EXPECT_FALSE(between);
+        }
+    }
+}
+
+TEST(solidsInFluid, regionsGiveWayToNodes)
+{
+    const lattice l(2, 0.05, {0, 0, 0}, {1, 1, 0}, {});
+    seededSolids solids = makeSolids
+    (
+        "s { type box; min (0.31 0.02 0); max (0.69 0.4 0); spacing 0.01; }", l
+    );
+    const std::size_t nSurface = solids.reports[0].nSurface;
+    const seededParticles s = withSolids
+    (
+        l, "tank { type box; min (0 0 0); max (1 1 0); }", solids
+    );
+    std::size_t nNodes = 0;
+    for (const wallParticle& w : s.walls)
+    {
+        nNodes += w.node >= 0;
+        for (const wallParticle& v : s.walls)
+        {
+            if (w.node >= 0 && v.node < 0)
+            {
+                EXPECT_GE(magnitude(w.position - v.position), 0.5*0.05);
+            }
+        }
+    }
+    EXPECT_GT(nNodes, 0.7*nSurface);
+    EXPECT_LE(nNodes, nSurface);
+}
