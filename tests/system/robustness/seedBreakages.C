@@ -89,7 +89,77 @@ const std::vector<breakage> dictionaries
         set("system/controlDict", "writeFormat", "text"), "text", "binary"},
 };
 
+//- A solid, its entries in one line
+damage solid(const std::string& entries, const std::string& others = "")
+{
+    const std::string line =
+        "solids { beam { " + entries + " } " + others + " }";
+    return [=](systemCase& c) { c.add(file, line); };
+}
+
+const std::string beam = "type box; min (0 0 0); max (5 2 2); ";
+
+const std::vector<breakage> solids
+{
+    {"solid not a dictionary", seed, add(file, "solids { beam box; }"),
+        "Solid beam is not a dictionary", "Write beam {"},
+    {"solid of unknown type", seed, solid("type bocks;"),
+        "Unknown region type bocks", "did you mean box?"},
+    {"solid of a plane", seed,
+        solid("type plane; point (0 0 0); normal (0 0 1);"),
+        "a plane encloses nothing", "Valid are box, sphere"},
+    {"solid of points", seed, unplaced([](systemCase& c)
+        {
+            c.write("constant/scan.txt", "0 0 0 0 0 1\n");
+            solid("type points; file \"constant/scan.txt\";")(c);
+        }),
+        "a points encloses nothing", "Valid are box, sphere"},
+    {"solid with a side", seed, solid(beam + "side inside;"),
+        "Solid beam has a side", "remove the entry"},
+    {"solid of negative spacing", seed, solid(beam + "spacing -1;"),
+        "spacing -1 is not a positive number", "in metres"},
+    {"solid of too large a spacing", seed, solid(beam + "spacing 5;"),
+        "spacing 5 is too large", "a smaller spacing"},
+    {"solid outside the bounds", seed,
+        solid("type sphere; centre (99 0 0); radius 2;"),
+        "Solid beam is outside the bounds", "widen bounds"},
+    {"solid called as a region", seed, [](systemCase& c)
+        {
+            const std::string all = c.text(file);
+            const auto at = all.find_first_not_of(" \n{", all.find("regions")
+                + 7);
+            const std::string name =
+                all.substr(at, all.find_first_of(" \n{", at) - at);
+            c.add(file, "solids { " + name + " { " + beam + "} }");
+        },
+        "has the name of a region", "another name"},
+    {"solids that overlap", seed, unplaced(solid
+        (
+            beam, "ball { type sphere; centre (5 1 1); radius 2; }"
+        )),
+        "Solids beam and ball overlap", "They may touch"},
+    {"velocity of a solid of two components", seed, solid(beam + "U (1 2);"),
+        "U has 2 values", "in parentheses"},
+    {"part without nodes", seed,
+        solid(beam + "parts { clamp { type box; min (7 7 7); max (8 8 8); } }"),
+        "Part clamp of solid beam has no node; the solid reaches from (0 0 0)"
+        " to (5 2 2)", "become the part"},
+    {"part not a dictionary", seed, solid(beam + "parts { clamp box; }"),
+        "Part clamp is not a dictionary", "Write clamp {"},
+    {"neither fluid nor solids", seed, add(file, "fluid no;"),
+        "nothing is seeded", "Add solids"},
+};
+
 } // namespace
+
+
+TEST(badInput, solids)
+{
+    for (const breakage& b : solids)
+    {
+        expectRefused(b);
+    }
+}
 
 
 TEST(badInput, seedParticlesDict)

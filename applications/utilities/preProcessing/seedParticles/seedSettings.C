@@ -97,7 +97,7 @@ seedSettings::seedSettings
             dict.subDict("regions"), casePath, int(dimensions), spacing
         );
     }
-    checkNames();
+    checkNames(dict);
     const box b = readBounds(dict, int(dimensions), spacing);
     mesh = std::make_unique<lattice>
     (
@@ -142,7 +142,7 @@ void seedSettings::readRegions
 }
 
 
-void seedSettings::checkNames() const
+void seedSettings::checkNames(const dictionary& dict) const
 {
     for (const solidInput& s : solids)
     {
@@ -164,7 +164,7 @@ void seedSettings::checkNames() const
         throw userError
         (
             "fluid is no and there are no solids: nothing is seeded",
-            {},
+            dict.where("fluid"),
             "Add solids, or remove the entry fluid."
         );
     }
