@@ -36,14 +36,11 @@ void solidBody::drop(const std::vector<std::size_t>& cells)
 void solidBody::number()
 {
     std::vector<int> numbers(lattice.nNodes(), -1);
-    std::vector<vector> former(lattice.nNodes());
-    for (std::size_t i = 0; i < former.size(); ++i)
-    {
-        former[i] = lattice.node(i);
-    }
+    std::vector<int> before(lattice.nNodes(), -1);
+    const std::vector<vector> points = std::move(mesh.points);
     for (std::size_t i = 0; i < places.size(); ++i)
     {
-        former[places[i]] = mesh.points[i];
+        before[places[i]] = int(i);
     }
     const int nCorners = 1 << lattice.dimensions();
     cells_.clear();
@@ -60,14 +57,17 @@ void solidBody::number()
         }
     }
     places.clear();
-    mesh.points.clear();
+    mesh.points = {};
     for (std::size_t i = 0; i < numbers.size(); ++i)
     {
         if (numbers[i] == 0)
         {
             numbers[i] = int(places.size());
             places.push_back(i);
-            mesh.points.push_back(former[i]);
+            mesh.points.push_back
+            (
+                before[i] < 0 ? lattice.node(i) : points[before[i]]
+            );
         }
     }
     mesh.cells.clear();
