@@ -1,8 +1,8 @@
 #include "seeding/solidSeeding.H"
 
-#include "seeding/solidBody.H"
 #include "seeding/solidOverlap.H"
 #include "seeding/solidRegion.H"
+#include "seeding/solidReport.H"
 #include "seeding/solidSnapping.H"
 
 #include <fmt/format.h>
@@ -127,59 +127,6 @@ std::vector<int> assignParts(const solidInput& s, const solidBody& body)
     return part;
 }
 
-solidReport makeReport(const solidInput& s, const solidBody& body)
-{
-    solidReport r;
-    r.name = s.name;
-    r.shape = s.shape->description();
-    r.nNodes = body.mesh.size();
-    r.nCells = body.mesh.cells.size();
-    r.volume = body.volume();
-    for (const surfacePoint& p : body.surface())
-    {
-        ++r.nSurface;
-        r.area += p.area;
-    }
-    r.cellVolumes = r.edges = {INFINITY, 0};
-    const auto widen = [](std::pair<double, double>& range, double value)
-    {
-        range.first = std::min(range.first, value);
-        range.second = std::max(range.second, value);
-    };
-    const int dimensions = body.lattice.dimensions();
-    for (const auto& cell : body.mesh.cells)
-    {
-        widen(r.cellVolumes, body.mesh.volume(cell));
-        for (int c = 0; c < (1 << dimensions); ++c)
-        {
-            for (int axis = 0; axis < dimensions; ++axis)
-            {
-                if (!(c >> axis & 1))
-                {
-                    widen(r.edges, magnitude(body.mesh.offset
-                    (
-                        body.mesh.points[cell[c | 1 << axis]],
-                        body.mesh.points[cell[c]]
-                    )));
-                }
-            }
-        }
-    }
-    const auto b = s.shape->bounds();
-    bool cut = !b;
-    for (int axis = 0; b && axis < dimensions; ++axis)
-    {
-        const double slack = roundOff*body.lattice.longestEdge();
-        cut = cut
-         || component(b->first, axis)
-          < component(body.lattice.lo(), axis) - slack
-         || component(b->second, axis)
-          > component(body.lattice.hi(), axis) + slack;
-    }
-    r.shapeVolume = cut ? std::nullopt : s.shape->volume();
-    return r;
-}
-
 solidBody makeBody(const solidInput& s, const lattice& l, solidReport& report)
 {
     const vector size = l.hi() - l.lo();
@@ -200,9 +147,7 @@ solidBody makeBody(const solidInput& s, const lattice& l, solidReport& report)
             "Give it a smaller spacing; check the shape and its units."
         );
     }
-    report = makeReport(s, body);
-    report.nDropped = result.nDropped;
-    report.nOff = result.nOff;
+    report = makeReport(s, body, result);
     for (vector& p : body.mesh.points)
     {
         p = l.wrap(p);

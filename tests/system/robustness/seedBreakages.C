@@ -103,8 +103,8 @@ const std::vector<breakage> solids
 {
     {"solid not a dictionary", seed, add(file, "solids { beam box; }"),
         "Solid beam is not a dictionary", "Write beam {"},
-    {"solid of unknown type", seed, solid("type bocks;"),
-        "Unknown region type bocks", "did you mean box?"},
+    {"solid of unknown type", seed, solid("type cylindre;"),
+        "Unknown region type cylindre", "did you mean cylinder?"},
     {"solid of a plane", seed,
         solid("type plane; point (0 0 0); normal (0 0 1);"),
         "a plane encloses nothing", "Valid are box, sphere"},
