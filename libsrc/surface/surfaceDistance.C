@@ -15,8 +15,8 @@ namespace
 
 using kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using triangle = kernel::Triangle_3;
-using primitive =
-    CGAL::AABB_triangle_primitive<kernel, std::vector<triangle>::const_iterator>;
+using iterator = std::vector<triangle>::const_iterator;
+using primitive = CGAL::AABB_triangle_primitive<kernel, iterator>;
 using boxTree = CGAL::AABB_tree<CGAL::AABB_traits<kernel, primitive>>;
 
 kernel::Point_3 point(const vector& p)
@@ -113,9 +113,7 @@ std::optional<surfacePoint> surfaceDistance::nearest(const vector& p) const
     }
     const auto [on, which] =
         tree_->boxes.closest_point_and_primitive(point(p));
-    const auto number =
-        std::vector<triangle>::const_iterator(which)
-      - tree_->triangles.cbegin();
+    const auto number = iterator(which) - tree_->triangles.cbegin();
     return surfacePoint
     {
         {on.x(), on.y(), on.z()}, tree_->normals[number], 0

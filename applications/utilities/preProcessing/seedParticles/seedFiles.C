@@ -145,7 +145,8 @@ void removeFolder
     if (std::filesystem::exists(casePath/name))
     {
         const std::filesystem::path former = aside/"former"/name;
-        std::filesystem::create_directories(former.parent_path());
+        // A folder to rename onto: a file in its place is not ours to remove
+        std::filesystem::create_directories(former);
         std::filesystem::rename(casePath/name, former);
     }
 }
