@@ -92,6 +92,46 @@ solidProjection::freedom solidProjection::freedomOf
 }
 
 
+vector solidProjection::within(vector normal, const freedom& f)
+{
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        component(normal, axis) *= !f.fixed[axis];
+    }
+    return normal;
+}
+
+
+//- In a shape thinner than the way to its side the flat ends are nearest: the
+//  nearest place on the side as seen from an edge away along each axis
+vector solidProjection::beside(const vector& x, const freedom& f) const
+{
+    vector best = x;
+    double least = INFINITY;
+    for (int way = 0; way < 2*lattice_.dimensions(); ++way)
+    {
+        if (f.fixed[way/2])
+        {
+            continue;
+        }
+        vector from = x + f.shift;
+        component(from, way/2) += (way % 2 ? 1 : -1)*lattice_.edge(way/2);
+        const auto on = nearest(from);
+        if (!on || magnitude(within(on->normal, f)) < 0.5)
+        {
+            continue;
+        }
+        const vector to = within(on->position - x, f);
+        if (magnitude(to) < least*(1 - 1e-9))
+        {
+            least = magnitude(to);
+            best = x + to;
+        }
+    }
+    return best;
+}
+
+
 std::optional<vector> solidProjection::operator()
 (
     const vector& x,
@@ -100,6 +140,12 @@ std::optional<vector> solidProjection::operator()
 {
     const bool held = f.fixed[0] || f.fixed[1] || f.fixed[2];
     vector at = x;
+    if (held)
+    {
+        const auto on = nearest(x + f.shift);
+        const bool end = on && magnitude(within(on->normal, f)) < 0.1;
+        at = end ? beside(x, f) : x;
+    }
     for (int step = 0; step < 50; ++step)
     {
         const vector from = at + f.shift;
@@ -112,11 +158,7 @@ std::optional<vector> solidProjection::operator()
         {
             return on->position;
         }
-        vector along = on->normal;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            component(along, axis) *= !f.fixed[axis];
-        }
+        const vector along = within(on->normal, f);
         const double slope = dot(along, along);
         if (slope < 0.01)
         {

@@ -60,6 +60,19 @@ TEST(solidsInFluid, fluidIsThatAroundTheShape)
     }
 }
 
+TEST(solidsInFluid, shapeThatEndsInAPeriodicBound)
+{
+    const lattice l(3, 0.1, {-1, -1, 0}, {1, 1, 1}, {true, true, true});
+    seededSolids solids = makeSolids
+    (
+        "rod { type cylinder; point1 (0 0 0); point2 (0 0 1); radius 0.5; }", l
+    );
+    const seededParticles s = withSolids(l, "", solids);
+    EXPECT_NEAR(s.volume, 4 - std::acos(-1.0)/4, 0.02);
+    EXPECT_EQ(s.walls.size(), solids.reports[0].nSurface);
+    EXPECT_NEAR(totalArea(s), std::acos(-1.0), 0.02);
+}
+
 TEST(solidsInFluid, nodesWithoutFluidAreNoWalls)
 {
     // A beam that goes 0.3 into a wall, and a block upon its end

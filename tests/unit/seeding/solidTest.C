@@ -147,6 +147,27 @@ TEST(solids, thinTubeOfTwoCells)
     expectSound(s.mesh, 0.0025);
 }
 
+TEST(solids, thinDisc)
+{
+    // One cell thick: its side is farther than its ends from many nodes
+    const seededSolids s = makeSolids
+    (
+        "plate { type cylinder; point1 (0 0 0); point2 (0 0 0.03);"
+        " radius 0.2; }",
+        space(3, 0.05)
+    );
+    EXPECT_EQ(s.reports[0].nOff, 0u);
+    EXPECT_NEAR(s.reports[0].volume/(pi*0.04*0.03), 1, 0.03);
+    EXPECT_LT(farthest(s.mesh, [](vector p)
+    {
+        return std::max
+        (
+            std::hypot(p.x, p.y) - 0.2, std::abs(p.z - 0.015) - 0.015
+        );
+    }), 1e-10);
+    expectSound(s.mesh, 0.05*0.05*0.03);
+}
+
 TEST(solids, goesAroundPeriodicBounds)
 {
     const lattice l(3, 0.1, {-1, -1, 0}, {1, 1, 1}, {false, false, true});
