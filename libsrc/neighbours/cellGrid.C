@@ -14,6 +14,7 @@ cellGrid cellGrid::of(const domain& d, const frame& f, double searchRadius)
     const double hi[3] = {d.hi.x, d.hi.y, d.hi.z};
 
     cellGrid g;
+    g.perRadius = 0;
     for (int i = 0; i < 3; ++i)
     {
         g.periodic[i] = f.periodic[i];
@@ -29,6 +30,10 @@ cellGrid cellGrid::of(const domain& d, const frame& f, double searchRadius)
         g.count[i] = g.world[i];
         const double inRadii = span[i]/g.world[i]/searchRadius;
         g.widthSquared[i] = float(0.9999*inRadii*inRadii);
+        if (i == 0)
+        {
+            g.perRadius = float(1.0001/inRadii);
+        }
         if (!f.periodic[i])
         {
             const double width = span[i]/g.world[i];

@@ -1,4 +1,5 @@
 #include "common/lattice.H"
+#include "neighbours/quickSelection.H"
 #include "neighbours/selection.H"
 
 #include <gtest/gtest.h>
@@ -11,16 +12,16 @@ using namespace gpuFsi;
 namespace
 {
 
-struct candidate
+struct offered
 {
     offset d;
     int id;
     bool wall;
 };
 
-std::vector<candidate> randomCandidates(int n, int seed, bool walls)
+std::vector<offered> randomCandidates(int n, int seed, bool walls)
 {
-    std::vector<candidate> all;
+    std::vector<offered> all;
     for (int i = 0; int(all.size()) < n; ++i)
     {
         const std::uint64_t k = 1000003u*seed + 3*i;
@@ -38,7 +39,7 @@ std::vector<candidate> randomCandidates(int n, int seed, bool walls)
 }
 
 //- The rule as it reads, by sorting
-std::vector<int> byTheRule(std::vector<candidate> all)
+std::vector<int> byTheRule(std::vector<offered> all)
 {
     std::sort(all.begin(), all.end(), [](const auto& a, const auto& b)
     {
@@ -83,7 +84,7 @@ std::vector<int> byTheRule(std::vector<candidate> all)
     return list;
 }
 
-std::vector<int> bySelection(const std::vector<candidate>& all)
+std::vector<int> bySelection(const std::vector<offered>& all)
 {
     selection<3> s;
     for (const auto& c : all)
@@ -101,6 +102,47 @@ std::vector<int> bySelection(const std::vector<candidate>& all)
     for (int k = 0; k < 26; ++k)
     {
         list[k] = s.take(k, -1);
+    }
+    return list;
+}
+
+//- Empty where it is not sure. Walls come first by index, as in a run.
+std::vector<int> byQuickSelection(const std::vector<offered>& all)
+{
+    std::vector<int> index(all.size());
+    int n = 0, nWalls = 0;
+    for (bool wall : {true, false})
+    {
+        for (std::size_t i = 0; i < all.size(); ++i)
+        {
+            if (all[i].wall == wall)
+            {
+                index[i] = n++;
+            }
+        }
+        nWalls = wall ? n : nWalls;
+    }
+    std::vector<int> id(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+        id[index[i]] = all[i].id;
+    }
+    using memory = scratch<quickSelection<3, int*>::words>;
+    memory own;
+    quickSelection<3, memory> s(own, id.data());
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+        s.offer(all[i].d, index[i]);
+    }
+    if (!s.finish(nWalls))
+    {
+        return {};
+    }
+    std::vector<int> list(26);
+    for (int k = 0; k < 26; ++k)
+    {
+        const int j = s.take(k, -1);
+        list[k] = j < 0 ? -1 : id[j];
     }
     return list;
 }
@@ -136,4 +178,49 @@ TEST(selection, orderAndRepetitionOfCandidatesDoNotMatter)
 TEST(selection, aLoneParticleSeesNobody)
 {
     EXPECT_EQ(bySelection({}), std::vector<int>(26, -1));
+}
+
+TEST(quickSelection, isTheSelectionWhereverItIsSure)
+{
+    int all = 0, sure = 0;
+    for (int seed = 0; seed < 400; ++seed)
+    {
+        for (bool walls : {false, true})
+        {
+            const auto some = randomCandidates(50 + seed % 40, seed, walls);
+            const auto list = byQuickSelection(some);
+            ++all;
+            sure += !list.empty();
+            if (!list.empty())
+            {
+                ASSERT_EQ(list, bySelection(some)) << "seed " << seed;
+            }
+        }
+    }
+    EXPECT_GT(sure, all/2);
+}
+
+TEST(quickSelection, fewCandidatesFillWhatTheyCan)
+{
+    for (int n = 0; n < 5; ++n)
+    {
+        const auto some = randomCandidates(n, 7, false);
+        EXPECT_EQ(byQuickSelection(some), bySelection(some)) << n;
+    }
+}
+
+TEST(quickSelection, tiesAreResolvedOrLeft)
+{
+    // Two equally near in one direction: the smaller id, whatever the order
+    std::vector<offered> pair
+    {
+        {{8000, 0, 0}, 5, false}, {{8000, 0, 0}, 2, false}
+    };
+    EXPECT_EQ(byQuickSelection(pair), bySelection(pair));
+    std::reverse(pair.begin(), pair.end());
+    EXPECT_EQ(byQuickSelection(pair), bySelection(pair));
+
+    // Two equally near that would fill empty directions
+    pair.push_back({{7000, 0, 0}, 9, false});
+    EXPECT_TRUE(byQuickSelection(pair).empty());
 }
