@@ -1,0 +1,73 @@
+#include "solid/elasticSolver.H"
+
+#include "device/backend.H"
+
+#include <fmt/format.h>
+
+namespace gpuFsi
+{
+
+static bool useCuda(const std::string& backend)
+{
+    if (backend == "cpu")
+    {
+        return false;
+    }
+#ifdef FSI_HAVE_CUDA
+    const bool there = cudaBackend::available();
+#else
+    const bool there = false;
+#endif
+    if (backend == "cuda" && !there)
+    {
+        throw userError
+        (
+            "Backend cuda is not available for the solids",
+            {},
+            "Set 'backend auto' or 'backend cpu' in system/controlDict."
+        );
+    }
+    return there;
+}
+
+
+static void checkState(const solidMesh& mesh, const solidState& s)
+{
+    for (const auto* field : {&s.positions, &s.U})
+    {
+        if (!field->empty() && field->size() != mesh.size())
+        {
+            throw userError
+            (
+                fmt::format
+                (
+                    "The state of the solids has {} particles, their mesh {}",
+                    field->size(), mesh.size()
+                ),
+                {},
+                "Seed the case again, or restart from this case's folders."
+            );
+        }
+    }
+}
+
+
+std::unique_ptr<elasticSolver> elasticSolver::make
+(
+    const std::string& backend,
+    const solidMesh& mesh,
+    const solidProperties& properties,
+    const solidState& initial
+)
+{
+    checkState(mesh, initial);
+    if (useCuda(backend))
+    {
+#ifdef FSI_HAVE_CUDA
+        return newCudaSolid(mesh, properties, initial);
+#endif
+    }
+    return newCpuSolid(mesh, properties, initial);
+}
+
+} // namespace gpuFsi

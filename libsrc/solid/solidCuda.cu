@@ -1,0 +1,16 @@
+#include "solid/springStepper.H"
+
+namespace gpuFsi
+{
+
+std::unique_ptr<elasticSolver> newCudaSolid
+(
+    const solidMesh& mesh,
+    const solidProperties& properties,
+    const solidState& initial
+)
+{
+    return makeSpringStepper<cudaBackend>(mesh, properties, initial);
+}
+
+} // namespace gpuFsi
