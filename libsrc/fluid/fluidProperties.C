@@ -82,6 +82,31 @@ static double viscosity(const dictionary& d, double rho0)
 }
 
 
+//- The surface of a solid goes where the solid goes
+static void refuseMovedSolid
+(
+    const domain& d,
+    std::size_t patch,
+    const dictionary& wall
+)
+{
+    if (patch + d.solids.size() >= d.walls.size() && wall.found("type"))
+    {
+        throw userError
+        (
+            fmt::format
+            (
+                "'{}' is an elastic solid: its surface moves with it",
+                d.walls[patch]
+            ),
+            wall.where("type"),
+            "Drive a part of it in constant/solidProperties; here a solid's "
+            "surface may only say 'slip yes;'."
+        );
+    }
+}
+
+
 static void readWalls
 (
     const fs::path& casePath,
@@ -102,6 +127,7 @@ static void readWalls
         if (walls.found(d.walls[p]))
         {
             const dictionary& wall = walls.subDict(d.walls[p]);
+            refuseMovedSolid(d, p, wall);
             properties.motions[p] = wallMotion::make(wall);
             properties.slip[p] = wall.getOrDefault("slip", false);
         }
@@ -110,16 +136,10 @@ static void readWalls
 }
 
 
-fluidProperties fluidProperties::read
-(
-    const fs::path& casePath,
-    const domain& d
-)
+static void readFluid(const fs::path& file, fluidProperties& p)
 {
-    const dictionary dict =
-        dictionary::fromFile(casePath/"constant"/"fluidProperties");
-
-    fluidProperties p;
+    using state = fluidProperties::state;
+    const dictionary dict = dictionary::fromFile(file);
     p.rho0 = dict.found("rho0")
       ? positive(dict, "rho0", dimensions::density)
       : 1;
@@ -136,20 +156,42 @@ fluidProperties fluidProperties::read
         p.gamma = eos.getNumberOrDefault("gamma", 7, 1, unlimited);
     }
     dict.warnUnread();
+}
 
-    const fs::path gravity = casePath/"constant"/"g";
-    if (fs::exists(gravity))
+
+fluidProperties fluidProperties::read
+(
+    const fs::path& casePath,
+    const domain& d
+)
+{
+    fluidProperties p;
+    if (d.hasFluid())
     {
-        const dictionary g = dictionary::fromFile(gravity);
-        if (g.found("dimensions"))
-        {
-            g.tokens("dimensions");
-        }
-        p.g = g.getDimensionedVector("value", dimensions::acceleration);
-        g.warnUnread();
+        readFluid(casePath/"constant"/"fluidProperties", p);
     }
+    p.g = readGravity(casePath);
     readWalls(casePath, d, p);
     return p;
+}
+
+
+vector readGravity(const fs::path& casePath)
+{
+    const fs::path file = casePath/"constant"/"g";
+    if (!fs::exists(file))
+    {
+        return {0, 0, 0};
+    }
+    const dictionary dict = dictionary::fromFile(file);
+    if (dict.found("dimensions"))
+    {
+        dict.tokens("dimensions");
+    }
+    const vector g =
+        dict.getDimensionedVector("value", dimensions::acceleration);
+    dict.warnUnread();
+    return g;
 }
 
 

@@ -1,5 +1,8 @@
 #include "particles/stateIO.H"
 
+#include "particles/needField.H"
+#include "particles/solidIO.H"
+
 #include <cmath>
 #include <fmt/format.h>
 
@@ -7,50 +10,6 @@ namespace gpuFsi
 {
 
 namespace fs = std::filesystem;
-
-static const cloudField& need
-(
-    const cloud& c,
-    const std::string& field,
-    const std::string& cls,
-    const fs::path& time
-)
-{
-    const fs::path file = time/"lagrangian"/c.name/field;
-    const cloudField* f = c.find(field);
-    if (!f)
-    {
-        throw userError
-        (
-            fmt::format("Cloud {} has no field '{}'", c.name, field),
-            {file.string()},
-            "Run seedParticles, or write the field."
-        );
-    }
-    if (f->cls != cls)
-    {
-        throw userError
-        (
-            fmt::format("Field '{}' is a {}, not a {}", field, f->cls, cls),
-            {file.string()},
-            "Is the file under the right name? Seed again, or start from an "
-            "earlier time."
-        );
-    }
-    return *f;
-}
-
-
-static std::vector<vector> vectors(const cloudField& f)
-{
-    std::vector<vector> v(f.size());
-    for (std::size_t i = 0; i < v.size(); ++i)
-    {
-        v[i] = {f.values[3*i], f.values[3*i + 1], f.values[3*i + 2]};
-    }
-    return v;
-}
-
 
 static void checkPositive
 (
@@ -86,7 +45,7 @@ static std::vector<double> readDeltaRho
 )
 {
     const std::vector<double>& rho =
-        need(c, "rho", "scalarField", time).values;
+        needField(c, "rho", "scalarField", time).values;
     const fs::path directory = time/"lagrangian"/c.name;
     checkPositive(rho, "rho", directory/"rho");
 
@@ -118,7 +77,7 @@ static particleSet readSet(const cloud& c, double rho0, const fs::path& time)
 {
     particleSet s;
     s.positions = c.positions;
-    s.U = vectors(need(c, "U", "vectorField", time));
+    s.U = vectorsOf(needField(c, "U", "vectorField", time));
     s.deltaRho = readDeltaRho(c, rho0, time);
     return s;
 }
@@ -158,6 +117,36 @@ static void checkInside(const particleSet& s, const domain& d, const fs::path& f
 }
 
 
+//- Particles of the solids that wall particles are
+static std::vector<int> nodesOf
+(
+    const cloud& walls,
+    std::size_t nSolid,
+    const fs::path& time
+)
+{
+    std::vector<int> nodes;
+    for (double n : needField(walls, "node", "labelField", time).values)
+    {
+        if (n < -1 || n >= double(nSolid))
+        {
+            throw userError
+            (
+                fmt::format
+                (
+                    "Node {} is not one of the {} particles of the solids",
+                    n, nSolid
+                ),
+                {(time/"lagrangian/walls/node").string()},
+                "Clouds walls and solid must come from the same seedParticles."
+            );
+        }
+        nodes.push_back(int(n));
+    }
+    return nodes;
+}
+
+
 hostState readState(const fs::path& time, const domain& d, double rho0)
 {
     hostState s;
@@ -167,6 +156,11 @@ hostState readState(const fs::path& time, const domain& d, double rho0)
     s.volume = d.volume;
     s.wallNames = d.walls;
 
+    s.solid = readSolidSet(time, d);
+    if (!d.hasFluid())
+    {
+        return s;
+    }
     const cloud fluid = readCloud(time, "fluid");
     s.fluid = readSet(fluid, rho0, time);
     if (s.fluid.size() == 0)
@@ -178,7 +172,7 @@ hostState readState(const fs::path& time, const domain& d, double rho0)
             "Seed the case with a smaller spacing."
         );
     }
-    s.fluid.mass = need(fluid, "m", "scalarField", time).values;
+    s.fluid.mass = needField(fluid, "m", "scalarField", time).values;
     checkPositive(s.fluid.mass, "m", time/"lagrangian/fluid/m");
     checkInside(s.fluid, d, time/"lagrangian/fluid/positions");
 
@@ -188,11 +182,11 @@ hostState readState(const fs::path& time, const domain& d, double rho0)
     }
     const cloud walls = readCloud(time, "walls");
     s.walls = readSet(walls, rho0, time);
-    s.normals = vectors(need(walls, "normal", "vectorField", time));
-    s.area = need(walls, "area", "scalarField", time).values;
+    s.normals = vectorsOf(needField(walls, "normal", "vectorField", time));
+    s.area = needField(walls, "area", "scalarField", time).values;
     const cloudField* reference = walls.find("referencePosition");
-    s.wallReference = reference ? vectors(*reference) : walls.positions;
-    for (double p : need(walls, "patch", "labelField", time).values)
+    s.wallReference = reference ? vectorsOf(*reference) : walls.positions;
+    for (double p : needField(walls, "patch", "labelField", time).values)
     {
         if (p < 0 || p >= double(d.walls.size()))
         {
@@ -209,6 +203,10 @@ hostState readState(const fs::path& time, const domain& d, double rho0)
             );
         }
         s.patch.push_back(int(p));
+    }
+    if (!d.solids.empty())
+    {
+        s.wallNode = nodesOf(walls, s.solid.size(), time);
     }
     return s;
 }
@@ -244,6 +242,11 @@ std::size_t writeState
     const writeOptions& options
 )
 {
+    std::size_t bytes = writeSolidSet(time, s.solid, options);
+    if (s.fluid.size() == 0)
+    {
+        return bytes;
+    }
     cloud fluid = toCloud("fluid", s.fluid, s.rho0);
     fluid.addScalar("m", s.fluid.mass);
     std::vector<double> p(s.fluid.size());
@@ -252,7 +255,7 @@ std::size_t writeState
         p[i] = pressure(s.rho0 + s.fluid.deltaRho[i]);
     }
     fluid.addScalar("p", std::move(p));
-    std::size_t bytes = writeCloud(time, fluid, options);
+    bytes += writeCloud(time, fluid, options);
 
     if (!s.wallNames.empty())
     {
@@ -261,6 +264,10 @@ std::size_t writeState
         walls.addScalar("area", s.area);
         walls.addVector("referencePosition", s.wallReference);
         walls.addLabel("patch", {s.patch.begin(), s.patch.end()});
+        if (!s.wallNode.empty())
+        {
+            walls.addLabel("node", {s.wallNode.begin(), s.wallNode.end()});
+        }
         bytes += writeCloud(time, walls, options);
     }
     return bytes;

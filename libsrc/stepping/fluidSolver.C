@@ -71,7 +71,8 @@ std::unique_ptr<fluidSolver> fluidSolver::make
     const domain& d,
     const fluidProperties& properties,
     const particleSchemes& schemes,
-    hostState initial
+    hostState initial,
+    const solidScene* solids
 )
 {
     checkPeriods(d);
@@ -80,11 +81,14 @@ std::unique_ptr<fluidSolver> fluidSolver::make
 #ifdef FSI_HAVE_CUDA
         return newCudaSolver
         (
-            precision, d, properties, schemes, std::move(initial)
+            precision, d, properties, schemes, std::move(initial), solids
         );
 #endif
     }
-    return newCpuSolver(precision, d, properties, schemes, std::move(initial));
+    return newCpuSolver
+    (
+        precision, d, properties, schemes, std::move(initial), solids
+    );
 }
 
 } // namespace gpuFsi

@@ -82,10 +82,14 @@ particleSchemes particleSchemes::read
     const domain& d
 )
 {
+    particleSchemes s;
+    if (!d.hasFluid())
+    {
+        s.searchRadius = d.spacing*defaultSearchRadius(d.dimensions);
+        return s;
+    }
     const dictionary dict =
         dictionary::fromFile(casePath/"system"/"particleSchemes");
-
-    particleSchemes s;
     readAccuracy(dict, d.dimensions, s);
     refuseWithRadial(dict, s);
 

@@ -10,12 +10,13 @@ std::unique_ptr<fluidSolver> newCpuSolver
     const domain& d,
     const fluidProperties& properties,
     const particleSchemes& schemes,
-    hostState&& s
+    hostState&& s,
+    const solidScene* solids
 )
 {
     return makeSolver<cpuBackend>
     (
-        precision, d, properties, schemes, std::move(s)
+        precision, d, properties, schemes, std::move(s), solids
     );
 }
 

@@ -1,7 +1,9 @@
-// Compressible isothermal fluid on Lagrangian particles without kernels.
+// Compressible isothermal fluid on Lagrangian particles without kernels, and
+// elastic solids as damped springs.
 //
 // Usage: gpuFsiFoam [-case DIR] [-noFunctionObjects]
-// Reads  constant/{domain,fluidProperties[,g][,wallProperties]},
+// Reads  constant/{domain,fluidProperties[,g][,wallProperties]}, with elastic
+//        solids constant/{solid,solidProperties[,couplingProperties]},
 //        system/{controlDict,particleSchemes}, the start time's clouds.
 
 #include "base/log.H"
@@ -33,13 +35,15 @@ static int solve(int argc, char** argv)
         fluidProperties::read(args.casePath(), space);
     const particleSchemes schemes =
         particleSchemes::read(args.casePath(), space);
+    const std::unique_ptr<solidScene> solids =
+        solidScene::read(args.casePath(), space);
     hostState initial = readState(runTime.startPath(), space, fluid.rho0);
     initial.time = runTime.value();
 
     const std::unique_ptr<fluidSolver> solver = fluidSolver::make
     (
         controls.backend, controls.precision, space, fluid, schemes,
-        std::move(initial)
+        std::move(initial), solids.get()
     );
     runReport report(runTime, space, fluid, schemes, *solver);
     functionObjectList functions

@@ -40,15 +40,24 @@ runReport::runReport
 
 void runReport::printScene() const
 {
-    const std::size_t n = solver_.nFluid() + solver_.nWalls();
+    const std::size_t n =
+        solver_.nFluid() + solver_.nWalls() + solver_.nSolid();
     gpuFsi::info("Device      : {}, {} precision", info_.device,
         info_.precision);
-    gpuFsi::info("Particles   : {} fluid, {} wall, spacing {:.6g}, {}-D",
-        solver_.nFluid(), solver_.nWalls(), domain_.spacing,
-        domain_.dimensions);
-    gpuFsi::info("Fluid       : {}, mu = {:.6g}", fluid_.describe(),
-        fluid_.mu);
-    gpuFsi::info("Schemes     : {}", info_.scheme);
+    gpuFsi::info("Particles   : {} fluid, {} wall, {} solid, spacing {:.6g}, "
+        "{}-D", solver_.nFluid(), solver_.nWalls(), solver_.nSolid(),
+        domain_.spacing, domain_.dimensions);
+    if (solver_.nFluid() > 0)
+    {
+        gpuFsi::info("Fluid       : {}, mu = {:.6g}", fluid_.describe(),
+            fluid_.mu);
+        gpuFsi::info("Schemes     : {}", info_.scheme);
+    }
+    if (solver_.nSolid() > 0)
+    {
+        gpuFsi::info("Solids      : {}",
+            solver_.describeSolids(time_.deltaT()));
+    }
     gpuFsi::info("Terms       : {}", solver_.terms());
     gpuFsi::info("Memory      : {:.1f} MB, {:.1f} bytes per particle\n",
         solver_.bytes()/1e6, double(solver_.bytes())/n);
@@ -72,7 +81,8 @@ const runInfo& runReport::info()
     info_.loopSeconds = loopSeconds();
     info_.totalSeconds = time_.clockSeconds();
     info_.particleSteps =
-        double(solver_.nFluid())*(time_.index() - firstIndex_);
+        double(solver_.nFluid() + solver_.nSolid())
+       *(time_.index() - firstIndex_);
     return info_;
 }
 

@@ -1,0 +1,55 @@
+#include "particles/needField.H"
+
+#include "base/error.H"
+
+#include <fmt/format.h>
+
+namespace gpuFsi
+{
+
+namespace fs = std::filesystem;
+
+const cloudField& needField
+(
+    const cloud& c,
+    const std::string& field,
+    const std::string& cls,
+    const fs::path& time
+)
+{
+    const fs::path file = time/"lagrangian"/c.name/field;
+    const cloudField* f = c.find(field);
+    if (!f)
+    {
+        throw userError
+        (
+            fmt::format("Cloud {} has no field '{}'", c.name, field),
+            {file.string()},
+            "Run seedParticles, or write the field."
+        );
+    }
+    if (f->cls != cls)
+    {
+        throw userError
+        (
+            fmt::format("Field '{}' is a {}, not a {}", field, f->cls, cls),
+            {file.string()},
+            "Is the file under the right name? Seed again, or start from an "
+            "earlier time."
+        );
+    }
+    return *f;
+}
+
+
+std::vector<vector> vectorsOf(const cloudField& f)
+{
+    std::vector<vector> v(f.size());
+    for (std::size_t i = 0; i < v.size(); ++i)
+    {
+        v[i] = {f.values[3*i], f.values[3*i + 1], f.values[3*i + 2]};
+    }
+    return v;
+}
+
+} // namespace gpuFsi

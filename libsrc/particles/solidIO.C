@@ -1,0 +1,90 @@
+#include "particles/solidIO.H"
+
+#include "particles/needField.H"
+
+namespace gpuFsi
+{
+
+namespace fs = std::filesystem;
+
+solidSet readSolidSet(const fs::path& time, const domain& d)
+{
+    solidSet s;
+    if (d.solids.empty())
+    {
+        return s;
+    }
+    const cloud c = readCloud(time, "solid");
+    s.names = d.solids;
+    s.positions = c.positions;
+    s.U = vectorsOf(needField(c, "U", "vectorField", time));
+    if (c.find("acceleration"))
+    {
+        s.accelerations =
+            vectorsOf(needField(c, "acceleration", "vectorField", time));
+    }
+    return s;
+}
+
+
+static void addTensor
+(
+    cloud& c,
+    const char* name,
+    const std::vector<symmetricTensor>& values
+)
+{
+    cloudField f{"symmTensorField", name, {}};
+    f.values.reserve(6*values.size());
+    for (const symmetricTensor& t : values)
+    {
+        f.values.insert(f.values.end(), t.begin(), t.end());
+    }
+    c.fields.push_back(std::move(f));
+}
+
+
+static std::vector<vector> combined
+(
+    const std::vector<vector>& a,
+    double factor,
+    const std::vector<vector>& b
+)
+{
+    std::vector<vector> sum(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+    {
+        sum[i] = a[i] + factor*b[i];
+    }
+    return sum;
+}
+
+
+std::size_t writeSolidSet
+(
+    const fs::path& time,
+    const solidSet& s,
+    const writeOptions& options
+)
+{
+    if (s.size() == 0)
+    {
+        return 0;
+    }
+    cloud c;
+    c.name = "solid";
+    c.positions = s.positions;
+    c.addVector("U", s.U);
+    c.addVector("acceleration", s.accelerations);
+    c.addVector("referencePosition", s.reference);
+    c.addVector("displacement", combined(s.positions, -1, s.reference));
+    c.addVector("force", combined(s.pressureForce, 1, s.viscousForce));
+    c.addScalar("rho", s.rho);
+    c.addScalar("vonMises", s.vonMises);
+    addTensor(c, "stress", s.stress);
+    addTensor(c, "strain", s.strain);
+    c.addLabel("solid", {s.solid.begin(), s.solid.end()});
+    return writeCloud(time, c, options);
+}
+
+} // namespace gpuFsi
