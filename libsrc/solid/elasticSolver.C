@@ -33,7 +33,7 @@ static bool useCuda(const std::string& backend)
 
 static void checkState(const solidMesh& mesh, const solidState& s)
 {
-    for (const auto* field : {&s.positions, &s.U})
+    for (const auto* field : {&s.positions, &s.U, &s.accelerations, &s.load})
     {
         if (!field->empty() && field->size() != mesh.size())
         {

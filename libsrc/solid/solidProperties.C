@@ -113,7 +113,22 @@ static vector unitNormal(const dictionary& d)
 }
 
 
-static solidPart readPart(const dictionary& d)
+//- Would a part of a plane solid leave the plane?
+static bool leavesPlane(const solidPart& p)
+{
+    bool leaves = p.normal.z != 0 || p.traction.z != 0 || p.force.z != 0;
+    if (p.motion)
+    {
+        // Of an oscillation one of velocity and acceleration is never zero
+        const rigidState s = p.motion->at(0);
+        leaves = leaves || s.velocity.z != 0 || s.acceleration.z != 0
+          || s.omega.x != 0 || s.omega.y != 0;
+    }
+    return leaves;
+}
+
+
+static solidPart readPart(const dictionary& d, int D)
 {
     solidPart p;
     std::vector<std::string> words = wallMotion::table::words();
@@ -151,6 +166,15 @@ static solidPart readPart(const dictionary& d)
         p.motion = wallMotion::make(d);
     }
     p.ramp = d.found("ramp") ? positive(d, "ramp", dimTime) : 0;
+    if (D == 2 && leavesPlane(p))
+    {
+        throw userError
+        (
+            fmt::format("A part of type {} leaves the plane in 2-D", word),
+            d.where("type"),
+            "Set z components to 0 and turn about the z axis alone."
+        );
+    }
     return p;
 }
 
@@ -186,7 +210,7 @@ static void readParts
         const std::string& name = mesh.parts[p].name;
         if (mesh.parts[p].solid == solid && d.found(name))
         {
-            parts[p] = readPart(d.subDict(name));
+            parts[p] = readPart(d.subDict(name), mesh.dimensions);
         }
     }
 }
@@ -201,6 +225,15 @@ solidProperties solidProperties::read
 {
     solidProperties p;
     p.g = g;
+    if (mesh.dimensions == 2 && g.z != 0)
+    {
+        throw userError
+        (
+            fmt::format("Gravity has the z component {:g} in 2-D", g.z),
+            {},
+            "Set it to 0 in constant/g."
+        );
+    }
     p.parts.resize(mesh.parts.size());
     for (std::size_t s = 0; s < mesh.names.size(); ++s)
     {

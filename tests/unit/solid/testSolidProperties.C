@@ -41,6 +41,30 @@ TEST(solidProperties, wrongValuesAreNamed)
 }
 
 
+TEST(solidProperties, nothingLeavesThePlane)
+{
+    const auto part = [](const char* entries)
+    {
+        return says
+        (
+            std::string("E 1; parts { left { ") + entries + " } }",
+            "leaves the plane"
+        );
+    };
+    EXPECT_TRUE(part("type force; force (0 0 1);"));
+    EXPECT_TRUE(part("type traction; traction (1 0 1);"));
+    EXPECT_TRUE(part("type slide; normal (0 0 1);"));
+    EXPECT_TRUE(part("type oscillation; amplitude (0 0 1); omega 1;"));
+    EXPECT_TRUE
+    (
+        part("type rotation; origin (0 0 0); axis (1 0 0); omega 1;")
+    );
+    EXPECT_FALSE(part("type force; force (0 1 0);"));
+    const solidMesh mesh = block(2, 2, 2, 0, 1);
+    EXPECT_THROW(material(mesh, "E 1;", {0, 0, -9.81}), userError);
+}
+
+
 TEST(solidProperties, unknownPartListsThoseThereAre)
 {
     const std::string text =
