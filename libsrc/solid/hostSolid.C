@@ -205,12 +205,32 @@ void addSolidFields
 }
 
 
+static double anchorEnergy
+(
+    const springNetwork& net,
+    const std::vector<vector>& x,
+    std::size_t i
+)
+{
+    const vector d = net.image.offset(x[i], net.rest[i]);
+    const vector& k = net.anchor[i];
+    return 0.5*(k.x*d.x*d.x + k.y*d.y*d.y + k.z*d.z*d.z);
+}
+
+
 double elasticEnergy(const springNetwork& net, const std::vector<vector>& x)
 {
-    const double springs = pairwiseSum
+    double springs = pairwiseSum
     (
         0, net.n, [&](std::size_t i) { return springEnergy(net, x, i); }
     );
+    if (!net.anchor.empty())
+    {
+        springs += pairwiseSum
+        (
+            0, net.n, [&](std::size_t i) { return anchorEnergy(net, x, i); }
+        );
+    }
     return !net.stiffened ? springs : springs + pairwiseSum
     (
         0, net.nCells(),

@@ -128,13 +128,33 @@ static bool leavesPlane(const solidPart& p)
 }
 
 
+static vector anchorStiffness(const dictionary& d)
+{
+    const vector k = d.get<vector>("stiffness");
+    if (!(k.x >= 0 && k.y >= 0 && k.z >= 0))
+    {
+        throw userError
+        (
+            fmt::format
+            (
+                "stiffness is ({:g} {:g} {:g}), but must not be negative",
+                k.x, k.y, k.z
+            ),
+            d.where("stiffness"),
+            "Give the stiffness in x, y and z, N/m."
+        );
+    }
+    return k;
+}
+
+
 static solidPart readPart(const dictionary& d, int D)
 {
     solidPart p;
     std::vector<std::string> words = wallMotion::table::words();
     words.insert
     (
-        words.end(), {"fixed", "slide", "pressure", "traction", "force"}
+        words.end(), {"fixed", "slide", "pressure", "traction", "force", "anchor"}
     );
     words.erase(std::find(words.begin(), words.end(), "sliding"));
     const std::string word = d.getChoice("type", words);
@@ -159,6 +179,10 @@ static solidPart readPart(const dictionary& d, int D)
     else if (word == "force")
     {
         p.force = d.get<vector>("force");
+    }
+    else if (word == "anchor")
+    {
+        p.anchor = anchorStiffness(d);
     }
     else
     {
