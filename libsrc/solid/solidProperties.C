@@ -244,7 +244,14 @@ solidProperties solidProperties::read
             readParts(*parts, int(s), mesh, p.parts);
         }
     }
-    dict.getChoiceOrDefault("stepping", "explicit", {"explicit"});
+    const std::string word = dict.getChoiceOrDefault
+    (
+        "stepping", "automatic", {"automatic", "explicit", "implicit"}
+    );
+    p.stepping = word == "explicit" ? scheme::verlet
+      : word == "implicit" ? scheme::midpoint : scheme::automatic;
+    p.tolerance =
+        dict.getNumberOrDefault("tolerance", p.tolerance, 1e-12, 0.01);
     if (dict.found("subSteps"))
     {
         const double n = dict.getNumber("subSteps", 1, 1e6);
