@@ -94,6 +94,10 @@ static solidMaterial readMaterial(const dictionary& d, int D)
     m.dashpot = d.getNumberOrDefault("dashpot", 0, 0, unlimited);
     m.friction = d.getNumberOrDefault("friction", 0, 0, unlimited);
     m.viscous = d.getNumberOrDefault("viscous", 0, 0, unlimited);
+    if (d.found("breakStrain"))
+    {
+        m.breakStrain = positive(d, "breakStrain", dimensionSet{});
+    }
     return m;
 }
 
