@@ -94,6 +94,10 @@ static solidMaterial readMaterial(const dictionary& d, int D)
     m.dashpot = d.getNumberOrDefault("dashpot", 0, 0, unlimited);
     m.friction = d.getNumberOrDefault("friction", 0, 0, unlimited);
     m.viscous = d.getNumberOrDefault("viscous", 0, 0, unlimited);
+    if (d.found("breakStrain"))
+    {
+        m.breakStrain = positive(d, "breakStrain", dimensionSet{});
+    }
     return m;
 }
 
@@ -268,7 +272,14 @@ solidProperties solidProperties::read
             readParts(*parts, int(s), mesh, p.parts);
         }
     }
-    dict.getChoiceOrDefault("stepping", "explicit", {"explicit"});
+    const std::string word = dict.getChoiceOrDefault
+    (
+        "stepping", "automatic", {"automatic", "explicit", "implicit"}
+    );
+    p.stepping = word == "explicit" ? scheme::verlet
+      : word == "implicit" ? scheme::midpoint : scheme::automatic;
+    p.tolerance =
+        dict.getNumberOrDefault("tolerance", p.tolerance, 1e-12, 0.01);
     if (dict.found("subSteps"))
     {
         const double n = dict.getNumber("subSteps", 1, 1e6);

@@ -233,6 +233,7 @@ void sizeFields(const solidMesh& mesh, springNetwork& net)
     net.bondDamping.assign(net.n, 0);
     net.drag.assign(net.n, 0);
     net.friction.assign(net.n, 0);
+    net.breakStrain.assign(net.n, 0);
     net.dead.assign(net.n, vector{});
     net.springModulus.assign(mesh.names.size(), 0);
 }
@@ -269,6 +270,8 @@ void setDamping
         net.bondDamping[i] = m.dashpot;
         net.drag[i] = m.viscous*net.mass[i];
         net.friction[i] = m.friction*net.mass[i]/m.rho;
+        net.breakStrain[i] = m.breakStrain;
+        net.breaks = net.breaks || m.breakStrain > 0;
     }
 }
 
