@@ -244,7 +244,7 @@ TEST(implicitSolid, sameBytesForAnyNumberOfThreads)
             "stepping implicit;"
         );
         const auto solver = elasticSolver::make("cpu", mesh, p);
-        solver->advance(0, 0.05);
+        solver->advance(0, 0.01);
         const std::vector<vector> x = solver->download().positions;
         first = first.empty() ? x : first;
         EXPECT_EQ
