@@ -246,7 +246,7 @@ TEST(elasticBar, sameBytesForAnyNumberOfThreads)
 }
 
 
-TEST(cudaSolid, agreesWithTheCpu)
+TEST(cudaSprings, agreesWithTheCpu)
 {
 #ifdef FSI_HAVE_CUDA
     if (!cudaBackend::available())
