@@ -123,3 +123,18 @@ isFile()
         failures=$((failures + 1))
     fi
 }
+
+# expectGhia CASE TIME: velocities of a driven cavity within 1.5% of Ghia's
+expectGhia()
+{
+    local line time worst where noise lines=0
+    while read -r line time worst where noise
+    do
+        expect "end of $line" "$time" ">=" "$2"
+        expect "largest difference $line, there at $where" \
+            "$worst" "<=" 0.015
+        echo "        departures from the mean of five lid times: $noise"
+        lines=$((lines + 1))
+    done < <("$work/$1/Allcompare")
+    expect "number of lines compared" "$lines" ">=" 2
+}

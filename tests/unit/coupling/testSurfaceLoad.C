@@ -1,0 +1,113 @@
+// What fluid and solid do to each other.
+
+#include "barColumn.H"
+
+#include <gtest/gtest.h>
+
+using namespace gpuFsi;
+
+namespace
+{
+
+vector sumOf(const std::vector<vector>& values)
+{
+    vector sum{0, 0, 0};
+    for (const vector& v : values)
+    {
+        sum += v;
+    }
+    return sum;
+}
+
+void compress(barColumn& s, double deltaRho)
+{
+    for (double& r : s.state.fluid.deltaRho)
+    {
+        r = deltaRho;
+    }
+    for (double& r : s.state.walls.deltaRho)
+    {
+        r = deltaRho;
+    }
+}
+
+} // namespace
+
+
+//- In the first step neither density nor surface has moved
+TEST(surfaceLoad, isPressureTimesArea)
+{
+    barColumn s;
+    compress(s, 0.01);
+    const auto solver = s.solver();
+    solver->step(0, 1e-9);
+    const hostState after = solver->download();
+    const vector force =
+        sumOf(after.solid.pressureForce) + sumOf(after.solid.viscousForce);
+    const double area = s.across*s.space.spacing;
+    EXPECT_NEAR(force.x, 0.01/3*area, 1e-9);
+    EXPECT_NEAR(force.y, 0, 1e-12);
+    EXPECT_NEAR(sumOf(after.solid.viscousForce).x, 0, 1e-12);
+}
+
+
+TEST(surfaceLoad, referencePressureLoadsNothing)
+{
+    barColumn s;
+    compress(s, 0.01);
+    s.solids.coupling.referencePressure = 1.01/3;
+    const auto solver = s.solver();
+    solver->step(0, 1e-9);
+    EXPECT_NEAR(sumOf(solver->download().solid.pressureForce).x, 0, 1e-9);
+}
+
+
+//- The piston problem's other half: a bar under the pressure of a resting
+//  column shortens, and what it gains the fluid has lost
+TEST(surfaceLoad, energyIsHandedOver)
+{
+    barColumn s;
+    compress(s, 0.01);
+    const auto solver = s.solver();
+    const double dt = 0.002;
+    for (int k = 0; k < 200; ++k)
+    {
+        solver->step(k*dt, dt);
+        if (solver->maintenanceDue())
+        {
+            solver->maintain();
+        }
+    }
+    const hostState after = solver->download();
+    const double gained = after.solid.kinetic + after.solid.elastic;
+    EXPECT_GT(gained, 0);
+    EXPECT_NEAR(gained, after.solid.workOfFluid, 0.01*gained);
+    EXPECT_GT(after.solid.positions[0].x, 1);
+}
+
+
+TEST(surfaceLoad, reactionNeedsAreaWeights)
+{
+    barColumn s;
+    s.schemes = defaultSchemes(s.space);
+    s.solids.coupling.force = couplingProperties::law::reaction;
+    EXPECT_THROW(s.solver(), userError);
+}
+
+
+//- Without elastic solids nothing of them is kept
+TEST(surfaceLoad, aSceneWithoutSolidsPaysNothing)
+{
+    barColumn s;
+    const auto with = s.solver();
+    const auto without = fluidSolver::make
+    (
+        "cpu", "double", s.space, s.fluid, s.schemes, s.state, nullptr
+    );
+    EXPECT_GT(with->bytes(), without->bytes());
+    EXPECT_EQ(without->describeSolids(1e-3), "");
+    EXPECT_NE(without->terms().find("left out"), std::string::npos);
+    const double perParticle = double(without->bytes())
+       /(s.state.fluid.size() + s.state.walls.size());
+    EXPECT_LT(perParticle, 200);
+}
