@@ -16,6 +16,10 @@ couplingProperties couplingProperties::read(const fs::path& casePath)
         return p;
     }
     const dictionary dict = dictionary::fromFile(file);
+    p.force = dict.getChoiceOrDefault
+    (
+        "force", "surface", {"surface", "reaction"}
+    ) == "reaction" ? law::reaction : law::surface;
     if (dict.found("referencePressure"))
     {
         p.referencePressure =

@@ -23,6 +23,10 @@ solidSet readSolidSet(const fs::path& time, const domain& d)
         s.accelerations =
             vectorsOf(needField(c, "acceleration", "vectorField", time));
     }
+    if (c.find("brokenBonds"))
+    {
+        s.broken = needField(c, "brokenBonds", "labelField", time).values;
+    }
     return s;
 }
 
@@ -83,6 +87,10 @@ std::size_t writeSolidSet
     c.addScalar("vonMises", s.vonMises);
     addTensor(c, "stress", s.stress);
     addTensor(c, "strain", s.strain);
+    if (!s.broken.empty())
+    {
+        c.addLabel("brokenBonds", s.broken);
+    }
     c.addLabel("solid", {s.solid.begin(), s.solid.end()});
     return writeCloud(time, c, options);
 }

@@ -33,16 +33,20 @@ static bool useCuda(const std::string& backend)
 
 static void checkState(const solidMesh& mesh, const solidState& s)
 {
-    for (const auto* field : {&s.positions, &s.U, &s.accelerations, &s.load})
+    for (const std::size_t size :
+        {
+            s.positions.size(), s.U.size(), s.accelerations.size(),
+            s.load.size(), s.broken.size()
+        })
     {
-        if (!field->empty() && field->size() != mesh.size())
+        if (size > 0 && size != mesh.size())
         {
             throw userError
             (
                 fmt::format
                 (
                     "The state of the solids has {} particles, their mesh {}",
-                    field->size(), mesh.size()
+                    size, mesh.size()
                 ),
                 {},
                 "Seed the case again, or restart from this case's folders."

@@ -17,12 +17,16 @@ struct gradient
 };
 
 
+const gradient unstrained{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+
 //- Mean over the cell: sum x_a dV0/dX_a/V0 exactly
 void addCell
 (
     const springNetwork& net,
     const std::vector<vector>& x,
     int slot,
+    double share,
     gradient& F
 )
 {
@@ -33,7 +37,7 @@ void addCell
         (
             x[net.corners[first + a]], x[net.corners[first]]
         );
-        const vector& B = net.restGradient[first + a];
+        const vector B = share*net.restGradient[first + a];
         F.rows[0] += d.x*B;
         F.rows[1] += d.y*B;
         F.rows[2] += d.z*B;
@@ -41,19 +45,30 @@ void addCell
 }
 
 
+//- held: the share of the cells' volume whose bonds hold; without any the
+//  particle is unstrained
 gradient nodalGradient
 (
     const springNetwork& net,
     const std::vector<vector>& x,
-    int i
+    const std::vector<double>& shares,
+    int i,
+    double& held
 )
 {
     gradient F;
-    double volume = 0;
+    double volume = 0, all = 0;
     for (int c = net.cellBegin[i]; c < net.cellBegin[i + 1]; ++c)
     {
-        addCell(net, x, net.cellSlot[c], F);
-        volume += net.volume[net.cellSlot[c]/net.nCorners()];
+        const int cell = net.cellSlot[c]/net.nCorners();
+        addCell(net, x, net.cellSlot[c], shares[cell], F);
+        volume += shares[cell]*net.volume[cell];
+        all += net.volume[cell];
+    }
+    held = volume/all;
+    if (!(volume > 0))
+    {
+        return unstrained;
     }
     for (vector& row : F.rows)
     {
@@ -132,12 +147,17 @@ double springEnergy
 (
     const springNetwork& net,
     const std::vector<vector>& x,
+    const std::vector<bondMask>& broken,
     std::size_t i
 )
 {
     double sum = 0;
     for (int b = net.bondBegin[i]; b < net.bondBegin[i + 1]; ++b)
     {
+        if (isBroken(net, broken, int(i), b))
+        {
+            continue;
+        }
         const vector d = net.image.offset(x[net.bondTo[b]], x[i]);
         const double stretch = std::sqrt(dot(d, d)) - net.bondLength[b];
         sum += net.bondK[b]*stretch*stretch/4;
@@ -183,12 +203,14 @@ void addSolidFields
     s.strain.resize(net.n);
     s.vonMises.resize(net.n);
     s.rho.resize(net.n);
+    const std::vector<double> shares = cellShares(net, s.broken);
     for (int i = 0; i < net.n; ++i)
     {
         const solidMaterial& m = properties.materials[mesh.solid[i]];
         const double mu = net.springModulus[mesh.solid[i]];
         const double lambda = mu + m.kappa;
-        const gradient F = nodalGradient(net, s.positions, i);
+        double held = 1;
+        const gradient F = nodalGradient(net, s.positions, shares, i, held);
         const double J = dot(F.rows[0], cross(F.rows[1], F.rows[2]));
         s.strain[i] = greenStrain(F);
         s.stress[i] = cauchyStress(F, s.strain[i], lambda, mu, J);
@@ -199,22 +221,53 @@ void addSolidFields
                 -lambda/(2*mu)*(s.strain[i][0] + s.strain[i][3]);
             s.stress[i][5] = 0;
         }
+        for (double& component : s.stress[i])
+        {
+            component *= held;
+        }
         s.vonMises[i] = vonMisesOf(s.stress[i]);
         s.rho[i] = m.rho/J;
     }
 }
 
 
-double elasticEnergy(const springNetwork& net, const std::vector<vector>& x)
+static double anchorEnergy
+(
+    const springNetwork& net,
+    const std::vector<vector>& x,
+    std::size_t i
+)
 {
-    const double springs = pairwiseSum
+    const vector d = net.image.offset(x[i], net.rest[i]);
+    const vector& k = net.anchor[i];
+    return 0.5*(k.x*d.x*d.x + k.y*d.y*d.y + k.z*d.z*d.z);
+}
+
+
+double elasticEnergy
+(
+    const springNetwork& net,
+    const std::vector<vector>& x,
+    const std::vector<bondMask>& broken
+)
+{
+    double springs = pairwiseSum
     (
-        0, net.n, [&](std::size_t i) { return springEnergy(net, x, i); }
+        0, net.n,
+        [&](std::size_t i) { return springEnergy(net, x, broken, i); }
     );
+    if (!net.anchor.empty())
+    {
+        springs += pairwiseSum
+        (
+            0, net.n, [&](std::size_t i) { return anchorEnergy(net, x, i); }
+        );
+    }
+    const std::vector<double> shares = cellShares(net, broken);
     return !net.stiffened ? springs : springs + pairwiseSum
     (
         0, net.nCells(),
-        [&](std::size_t c) { return cellEnergy(net, x, c); }
+        [&](std::size_t c) { return shares[c]*cellEnergy(net, x, c); }
     );
 }
 

@@ -10,7 +10,8 @@ solidEnergies solidLedger
 (
     const springNetwork& net,
     const hostSolid& s,
-    const std::vector<double>& work
+    const std::vector<double>& work,
+    const std::vector<double>& cellLoss
 )
 {
     const auto account = [&](solidAccount which)
@@ -27,8 +28,12 @@ solidEnergies solidLedger
         0, net.n,
         [&](std::size_t i) { return 0.5*net.mass[i]*dot(s.U[i], s.U[i]); }
     );
-    e.elastic = elasticEnergy(net, s.positions);
-    e.dissipated = -account(damped);
+    e.elastic = elasticEnergy(net, s.positions, s.broken);
+    e.dissipated = pairwiseSum
+    (
+        0, cellLoss.size(), [&](std::size_t c) { return cellLoss[c]; }
+    ) - account(damped);
+    e.brokenBonds = countBroken(s.broken);
     e.gravity = account(gravitational);
     e.loads = account(loaded);
     e.driven = account(driven);

@@ -94,6 +94,10 @@ static solidMaterial readMaterial(const dictionary& d, int D)
     m.dashpot = d.getNumberOrDefault("dashpot", 0, 0, unlimited);
     m.friction = d.getNumberOrDefault("friction", 0, 0, unlimited);
     m.viscous = d.getNumberOrDefault("viscous", 0, 0, unlimited);
+    if (d.found("breakStrain"))
+    {
+        m.breakStrain = positive(d, "breakStrain", dimensionSet{});
+    }
     return m;
 }
 
@@ -128,13 +132,33 @@ static bool leavesPlane(const solidPart& p)
 }
 
 
+static vector anchorStiffness(const dictionary& d)
+{
+    const vector k = d.get<vector>("stiffness");
+    if (!(k.x >= 0 && k.y >= 0 && k.z >= 0))
+    {
+        throw userError
+        (
+            fmt::format
+            (
+                "stiffness is ({:g} {:g} {:g}), but must not be negative",
+                k.x, k.y, k.z
+            ),
+            d.where("stiffness"),
+            "Give the stiffness in x, y and z, N/m."
+        );
+    }
+    return k;
+}
+
+
 static solidPart readPart(const dictionary& d, int D)
 {
     solidPart p;
     std::vector<std::string> words = wallMotion::table::words();
     words.insert
     (
-        words.end(), {"fixed", "slide", "pressure", "traction", "force"}
+        words.end(), {"fixed", "slide", "pressure", "traction", "force", "anchor"}
     );
     words.erase(std::find(words.begin(), words.end(), "sliding"));
     const std::string word = d.getChoice("type", words);
@@ -159,6 +183,10 @@ static solidPart readPart(const dictionary& d, int D)
     else if (word == "force")
     {
         p.force = d.get<vector>("force");
+    }
+    else if (word == "anchor")
+    {
+        p.anchor = anchorStiffness(d);
     }
     else
     {
@@ -244,7 +272,14 @@ solidProperties solidProperties::read
             readParts(*parts, int(s), mesh, p.parts);
         }
     }
-    dict.getChoiceOrDefault("stepping", "explicit", {"explicit"});
+    const std::string word = dict.getChoiceOrDefault
+    (
+        "stepping", "automatic", {"automatic", "explicit", "implicit"}
+    );
+    p.stepping = word == "explicit" ? scheme::verlet
+      : word == "implicit" ? scheme::midpoint : scheme::automatic;
+    p.tolerance =
+        dict.getNumberOrDefault("tolerance", p.tolerance, 1e-12, 0.01);
     if (dict.found("subSteps"))
     {
         const double n = dict.getNumber("subSteps", 1, 1e6);

@@ -155,7 +155,7 @@ bool within(const solidFace& face, const solidMesh& mesh, int part)
 }
 
 
-//- Pressure goes to a list of faces, traction and force to the particles
+//- Pressure goes to a list of faces, the others to the particles
 void addLoads
 (
     const solidMesh& mesh,
@@ -172,14 +172,23 @@ void addLoads
             partMass[mesh.part[i]] += net.mass[i];
         }
     }
+    std::vector<vector> anchor(net.n, vector{0, 0, 0});
+    bool anchored = false;
     for (int i = 0; i < net.n; ++i)
     {
         const int p = mesh.part[i];
         if (p >= 0)
         {
-            net.dead[i] +=
-                (net.mass[i]/partMass[p])*properties.parts[p].force;
+            const solidPart& rule = properties.parts[p];
+            net.dead[i] += (net.mass[i]/partMass[p])*rule.force;
+            anchor[i] = (net.mass[i]/partMass[p])*rule.anchor;
+            anchored = anchored || dot(rule.anchor, rule.anchor) > 0;
         }
+    }
+    if (anchored)
+    {
+        net.anchor = std::move(anchor);
+        net.rest = mesh.points;
     }
     for (const solidFace& face : surfaceFaces(mesh))
     {
@@ -224,6 +233,7 @@ void sizeFields(const solidMesh& mesh, springNetwork& net)
     net.bondDamping.assign(net.n, 0);
     net.drag.assign(net.n, 0);
     net.friction.assign(net.n, 0);
+    net.breakStrain.assign(net.n, 0);
     net.dead.assign(net.n, vector{});
     net.springModulus.assign(mesh.names.size(), 0);
 }
@@ -260,6 +270,8 @@ void setDamping
         net.bondDamping[i] = m.dashpot;
         net.drag[i] = m.viscous*net.mass[i];
         net.friction[i] = m.friction*net.mass[i]/m.rho;
+        net.breakStrain[i] = m.breakStrain;
+        net.breaks = net.breaks || m.breakStrain > 0;
     }
 }
 
@@ -335,6 +347,11 @@ double springNetwork::gershgorin() const
             row[i] += bondK[b]
                *(1/mass[i] + 1/std::sqrt(mass[i]*mass[bondTo[b]]));
         }
+    }
+    for (std::size_t i = 0; i < anchor.size(); ++i)
+    {
+        const vector& k = anchor[i];
+        row[i] += std::max({k.x, k.y, k.z})/mass[i];
     }
     for (std::size_t s = 0; stiffened && s < corners.size(); ++s)
     {

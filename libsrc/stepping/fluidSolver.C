@@ -38,6 +38,32 @@ static void checkPeriods(const domain& d)
 }
 
 
+//- The reaction is that of the area-weight passes
+static void checkCoupling
+(
+    const particleSchemes& schemes,
+    const solidScene* solids
+)
+{
+    using law = couplingProperties::law;
+    if
+    (
+        solids && solids->coupling.force == law::reaction
+     && schemes.areaWeights == particleSchemes::weight::radial
+    )
+    {
+        throw userError
+        (
+            "The solids are to feel the reaction of the area-weight passes, "
+            "but areaWeights is radial",
+            {},
+            "Set 'areaWeights moment' in system/particleSchemes, or 'force "
+            "surface' in constant/couplingProperties."
+        );
+    }
+}
+
+
 static bool useCuda(const std::string& backend)
 {
     if (backend == "cpu")
@@ -76,6 +102,7 @@ std::unique_ptr<fluidSolver> fluidSolver::make
 )
 {
     checkPeriods(d);
+    checkCoupling(schemes, solids);
     if (useCuda(backend))
     {
 #ifdef FSI_HAVE_CUDA

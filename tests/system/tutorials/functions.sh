@@ -13,7 +13,7 @@ copyCase()
     rm -rf "${work:?}/$2"
     mkdir -p "$work/$2"
     cp -r "$tutorials/$1"/{system,constant,All*,*.gp} "$work/$2"
-    rm -rf "$work/$2"/constant/{polyMesh,domain,triSurface}
+    rm -rf "$work/$2"/constant/{polyMesh,domain,solid,triSurface}
 }
 
 # setEntry FILE KEY VALUE: of a top-level entry that is there
@@ -45,6 +45,31 @@ solve()
         runApplication -o gpuFsiFoam >&2
     ) || exit 1
     relativeL2 "$1" "$2" "$3"
+}
+
+# Seeds and solves, without pictures
+runCase()
+{
+    (
+        cd "$work/$1" || exit 1
+        . "$FSI_DIR/etc/tools/RunFunctions"
+        runApplication -o seedParticles >&2
+        runApplication -o gpuFsiFoam >&2
+    ) || exit 1
+}
+
+# relativeError VALUE EXACT: its size
+relativeError()
+{
+    awk -v v="$1" -v e="$2" 'BEGIN { d = v/e - 1
+        printf "%.6g\n", d < 0 ? -d : d }'
+}
+
+# frequency TABLE COLUMN [MEAN]: of the swings of a column, Hz
+frequency()
+{
+    awk -v column="$2" -v mean="${3:-0}" \
+        -f "$FSI_DIR/etc/tools/frequency.awk" "$work/$1"
 }
 
 # expect WHAT VALUE RELATION LIMIT, where RELATION is <= or >=
@@ -90,4 +115,19 @@ isFile()
         echo "FAILED  $work/$1 is missing"
         failures=$((failures + 1))
     fi
+}
+
+# expectGhia CASE TIME: velocities of a driven cavity within 1.5% of Ghia's
+expectGhia()
+{
+    local line time worst where noise lines=0
+    while read -r line time worst where noise
+    do
+        expect "end of $line" "$time" ">=" "$2"
+        expect "largest difference $line, there at $where" \
+            "$worst" "<=" 0.015
+        echo "        departures from the mean of five lid times: $noise"
+        lines=$((lines + 1))
+    done < <("$work/$1/Allcompare")
+    expect "number of lines compared" "$lines" ">=" 2
 }

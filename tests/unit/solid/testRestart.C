@@ -77,6 +77,9 @@ bool tenAreFiveAndFive(int D, const std::string& stepping)
 
 TEST(solidRestart, tenStepsAreFiveAndFive)
 {
-    EXPECT_TRUE(tenAreFiveAndFive(2, ""));
-    EXPECT_TRUE(tenAreFiveAndFive(3, ""));
+    for (const char* stepping : {"stepping explicit;", "stepping implicit;"})
+    {
+        EXPECT_TRUE(tenAreFiveAndFive(2, stepping));
+        EXPECT_TRUE(tenAreFiveAndFive(3, stepping));
+    }
 }

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
 using namespace gpuFsi;
 
 namespace
@@ -71,4 +75,40 @@ TEST(solidProperties, unknownPartListsThoseThereAre)
         complaint("E 1; parts { lfet { type fixed; } }");
     EXPECT_NE(text.find("left"), std::string::npos);
     EXPECT_NE(text.find("right"), std::string::npos);
+}
+
+
+TEST(solidProperties, filesOfACase)
+{
+    namespace fs = std::filesystem;
+    const fs::path casePath = fs::temp_directory_path()
+        /("solidProperties" + std::to_string(getpid()));
+    fs::create_directories(casePath/"constant");
+    std::ofstream(casePath/"constant"/"solidProperties")
+        << "bar { rho 7; E 8; nu 0; breakStrain 0.2; parts {"
+           " middle { type fixed; } } }";
+    const solidMesh mesh = block(2, 2, 2, 0, 1);
+    EXPECT_THROW(solidProperties::read(casePath, mesh), userError);
+
+    std::ofstream(casePath/"constant"/"solidProperties")
+        << "bar { rho 7; E 8; nu 0; breakStrain 0.2; parts {"
+           " right { type force; force (0 1 0); ramp 3; }"
+           " left { type fixed; } } }"
+           " stepping implicit; tolerance 1e-6; subSteps 2;";
+    const solidProperties still = solidProperties::read(casePath, mesh);
+    EXPECT_EQ(still.g.y, 0);
+    std::ofstream(casePath/"constant"/"g")
+        << "dimensions [0 1 -2 0 0 0 0]; value (0 -9.81 0);";
+    const solidProperties p = solidProperties::read(casePath, mesh);
+    EXPECT_EQ(p.g.y, -9.81);
+    EXPECT_EQ(p.materials[0].rho, 7);
+    EXPECT_EQ(p.materials[0].mu, 4);
+    EXPECT_EQ(p.materials[0].breakStrain, 0.2);
+    EXPECT_EQ(p.parts[0].kind, solidPart::type::fixed);
+    EXPECT_EQ(p.parts[1].force.y, 1);
+    EXPECT_EQ(p.parts[1].ramp, 3);
+    EXPECT_EQ(p.stepping, solidProperties::scheme::midpoint);
+    EXPECT_EQ(p.tolerance, 1e-6);
+    EXPECT_EQ(p.subSteps, 2);
+    fs::remove_all(casePath);
 }

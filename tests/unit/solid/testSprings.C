@@ -84,6 +84,35 @@ TEST(springs, homogeneousStrainHasTheElasticEnergy)
 }
 
 
+//- Eq (11): k V between all neighbours; on squares of side h that is
+//      k h^2/2 (exx^2 + eyy^2 + (exx + eyy)^2 + 4 exy^2) an area
+TEST(springs, uniformSpringsAreThePublishedOnes)
+{
+    const double h = 0.5;
+    const solidMesh flat = block(2, 4, 3, 0, h);
+    const springNetwork net =
+        springNetwork::of(flat, material(flat, "springs uniform; k 3;"));
+    const double a = 1e-6, b = -0.6e-6, c = 0.3e-6;
+    const vector rows[3] = {{a, c, 0}, {c, b, 0}, {0, 0, 0}};
+    const double density =
+        3*h*h/2*(a*a + b*b + (a + b)*(a + b) + 4*c*c);
+    EXPECT_NEAR
+    (
+        elasticEnergy(net, strained(flat, rows))/(density*12*h*h), 1, 1e-5
+    );
+
+    const solidMesh solid = block(3, 2, 2, 2, h);
+    const springNetwork cube =
+        springNetwork::of(solid, material(solid, "springs uniform; k 3;"));
+    const int middle = 13;
+    EXPECT_EQ(cube.bondBegin[middle + 1] - cube.bondBegin[middle], 26);
+    for (int i = cube.bondBegin[middle]; i < cube.bondBegin[middle + 1]; ++i)
+    {
+        EXPECT_NEAR(cube.bondK[i], 3*h*h*h, 1e-14);
+    }
+}
+
+
 TEST(springs, gradientOfTheVolume)
 {
     const solidMesh mesh = block(3, 1, 1, 1, 1, 0.2);

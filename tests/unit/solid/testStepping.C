@@ -61,7 +61,8 @@ double cantileverRatio(int across, double nu)
             "E 1; nu {}; viscous 0.032; parts {{ left {{ type fixed; }} "
             "right {{ type traction; traction (0 {} 0); ramp 50; }} }}",
             nu, load
-        )
+        ),
+        {}, "stepping explicit;"
     );
     const auto solver = elasticSolver::make("cpu", mesh, p);
     for (int k = 0; k < 70; ++k)
@@ -245,7 +246,7 @@ TEST(elasticBar, sameBytesForAnyNumberOfThreads)
 }
 
 
-TEST(cudaSolid, agreesWithTheCpu)
+TEST(cudaSprings, agreesWithTheCpu)
 {
 #ifdef FSI_HAVE_CUDA
     if (!cudaBackend::available())

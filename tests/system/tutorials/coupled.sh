@@ -1,0 +1,43 @@
+# For the tests of tutorials of solids beside a fluid; after functions.sh
+
+# Seeds and solves without pictures
+run()
+{
+    (
+        cd "$work/$1" || exit 1
+        . "$FSI_DIR/etc/tools/RunFunctions"
+        runApplication -o seedParticles >&2
+        runApplication -o gpuFsiFoam >&2
+    )
+}
+
+# off VALUE EXACT: relative, or as it stands where EXACT is 0
+off()
+{
+    awk -v v="$1" -v e="$2" 'BEGIN {
+        d = e == 0 ? v : v/e - 1
+        printf "%.6g\n", d < 0 ? -d : d }'
+}
+
+# fitError CASE OMEGA: of the last fit of the function object wave
+fitError()
+{
+    off "$(tail -n 1 "$work/$1/postProcessing/wave/0/waveFit.dat" \
+        | awk '{ print $3 }')" "$2"
+}
+
+# Of the function object ledger's coupledTotal: last over first
+energyLeft()
+{
+    awk '!/^#/ { if (!n++) first = $NF; last = $NF }
+        END { printf "%.6g\n", last/first }' \
+        "$work/$1/postProcessing/ledger/0/solidEnergy.dat"
+}
+
+# Greatest over first
+energyPeak()
+{
+    awk '!/^#/ { if (!n++) first = most = $NF; if ($NF > most) most = $NF }
+        END { printf "%.6g\n", most/first }' \
+        "$work/$1/postProcessing/ledger/0/solidEnergy.dat"
+}
