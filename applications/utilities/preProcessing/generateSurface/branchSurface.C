@@ -11,54 +11,75 @@ namespace
 
 const double pi = std::acos(-1.0);
 
-//- A round tube about a line of points
-struct branchTube
+//- 0 below 0, 1 above 1, smooth between
+double rise(double t)
 {
-    std::vector<vector> line;
-    double radius;
+    return 0.5*(1 - std::cos(pi*std::clamp(t, 0.0, 1.0)));
+}
+
+
+//- One way through the branch: along y to the origin, sideways in z over a
+//  bend, along y again
+class branchWay
+{
+public:
+
+    branchWay(double radius, double length, double side)
+    :
+        radius_(radius)
+    {
+        line_.push_back({0, -length, 0});
+        for (int i = 0; i <= nBend; ++i)
+        {
+            const double t = double(i)/nBend;
+            line_.push_back
+            ({
+                0, t*bend*radius, 2*side*radius*rise(t)
+            });
+        }
+        line_.push_back
+        ({
+            0, std::max(length, 1.01*bend*radius), 2*side*radius
+        });
+    }
 
     //- Distance from its surface, negative inside
     double operator()(const vector& p) const
     {
         double least = HUGE_VAL;
-        for (std::size_t i = 1; i < line.size(); ++i)
+        for (std::size_t i = 1; i < line_.size(); ++i)
         {
-            const vector along = line[i] - line[i - 1];
-            const vector d = p - line[i - 1];
+            const vector along = line_[i] - line_[i - 1];
+            const vector d = p - line_[i - 1];
             const double t =
                 std::clamp(dot(d, along)/dot(along, along), 0.0, 1.0);
             const vector off = d - t*along;
             least = std::min(least, dot(off, off));
         }
-        return std::sqrt(least) - radius;
+        return std::sqrt(least)
+          - radius_*(1 - 0.2*rise(p.y/(bend*radius_)));
     }
+
+    static constexpr double bend = 5;    // radii
+
+private:
+
+    static constexpr int nBend = 24;
+
+    double radius_;
+    std::vector<vector> line_;
 };
 
 
 //- The lesser of two, rounded where they differ by less than width
 double smoothMin(double a, double b, double width)
 {
+    if (!(width > 0))
+    {
+        return std::min(a, b);
+    }
     const double t = std::max(width - std::abs(a - b), 0.0)/width;
     return std::min(a, b) - 0.25*width*t*t;
-}
-
-
-//- From the origin sideways in z within four radii of y, then along y
-branchTube daughter(double radius, double length, double side)
-{
-    branchTube tube{{}, 0.8*radius};
-    constexpr int n = 24;
-    const double bend = 5*radius;
-    for (int i = 0; i <= n; ++i)
-    {
-        const double t = double(i)/n;
-        tube.line.push_back
-        ({
-            0, t*bend, side*radius*(1 - std::cos(pi*t))
-        });
-    }
-    tube.line.push_back({0, std::max(length, 1.01*bend), side*2*radius});
-    return tube;
 }
 
 
@@ -87,16 +108,14 @@ shapeSurface makeBranch
     int n
 )
 {
-    const branchTube parent{{{0, -length, 0}, {0, 0, 0}}, radius};
-    const branchTube left = daughter(radius, length, -1);
-    const branchTube right = daughter(radius, length, 1);
+    const branchWay left(radius, length, -1);
+    const branchWay right(radius, length, 1);
     const auto distance = [&](const vector& p)
     {
-        const double width = 0.4*radius;
-        return smoothMin
-        (
-            parent(p), smoothMin(left(p), right(p), width), width
-        );
+        // Not where both are one tube
+        const double width =
+            0.5*radius*rise(p.y/(0.6*branchWay::bend*radius));
+        return smoothMin(left(p), right(p), width);
     };
     const double edge = 2*pi*radius/n;
     const auto level = [&](double value)
