@@ -92,7 +92,10 @@ std::size_t writeSolidSet
         c.addLabel("brokenBonds", s.broken);
     }
     c.addLabel("solid", {s.solid.begin(), s.solid.end()});
-    return writeCloud(time, c, options);
+    // A place that is rounded would be a strain
+    writeOptions exact = options;
+    exact.precision = 17;
+    return writeCloud(time, c, exact);
 }
 
 } // namespace gpuFsi

@@ -259,7 +259,12 @@ std::size_t writeSeed
     {
         for (const cloud& c : clouds)
         {
-            bytes += writeCloud(aside/"0", c, options);
+            writeOptions own = options;
+            if (c.name == "solid")
+            {
+                own.precision = 17;    // a rounded place would be a strain
+            }
+            bytes += writeCloud(aside/"0", c, own);
         }
         d.write(aside);
         if (!solids.empty())
