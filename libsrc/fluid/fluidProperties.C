@@ -82,6 +82,12 @@ static double viscosity(const dictionary& d, double rho0)
 }
 
 
+static bool isSolid(const domain& d, std::size_t patch)
+{
+    return patch + d.solids.size() >= d.walls.size();
+}
+
+
 //- The surface of a solid goes where the solid goes
 static void refuseMovedSolid
 (
@@ -90,7 +96,7 @@ static void refuseMovedSolid
     const dictionary& wall
 )
 {
-    if (patch + d.solids.size() >= d.walls.size() && wall.found("type"))
+    if (isSolid(d, patch) && wall.found("type"))
     {
         throw userError
         (
@@ -128,7 +134,10 @@ static void readWalls
         {
             const dictionary& wall = walls.subDict(d.walls[p]);
             refuseMovedSolid(d, p, wall);
-            properties.motions[p] = wallMotion::make(wall);
+            if (!isSolid(d, p))
+            {
+                properties.motions[p] = wallMotion::make(wall);
+            }
             properties.slip[p] = wall.getOrDefault("slip", false);
         }
     }

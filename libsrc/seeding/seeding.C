@@ -65,8 +65,9 @@ void addPoints
     }
 }
 
-//- Nodes of a solid with fluid within 1.5 h of them: others are inside a wall
-//  or between two solids
+//- Nodes of a solid with fluid in front of them, within 2 h (beside a round
+//  wall the nearest place of the lattice that keeps half a spacing from it may
+//  be 1.9 h away): others are inside a wall or between two solids
 void addNodes
 (
     const lattice& l,
@@ -76,21 +77,21 @@ void addNodes
     std::vector<wallCandidate>& candidates
 )
 {
-    const double reach = 1.5*l.h()*(1 + 1e-6);
-    const auto nearFluid = [&](const vector& p)
+    const double reach = 2*l.h()*(1 + 1e-6);
+    const auto nearFluid = [&](const vector& p, const vector& normal)
     {
         std::array<long, 3> low{}, count{1, 1, 1};
         for (int axis = 0; axis < l.dimensions(); ++axis)
         {
             const double x = component(p, axis) - component(l.lo(), axis);
-            low[axis] = long(std::floor(x/l.h())) - 2;
-            count[axis] = 5;
+            low[axis] = long(std::floor(x/l.h())) - 3;
+            count[axis] = 7;
         }
         for (int i = 0; i < count[0]*count[1]*count[2]; ++i)
         {
             std::array<long, 3> c
             {
-                low[0] + i % 5, low[1] + i/5 % 5, low[2] + i/25
+                low[0] + i % 7, low[1] + i/7 % 7, low[2] + i/49
             };
             bool on = true;
             for (int axis = 0; axis < l.dimensions(); ++axis)
@@ -100,11 +101,12 @@ void addNodes
                 on = on && c[axis] >= 0 && c[axis] < n;
             }
             const std::size_t q = on ? l.index(c[0], c[1], c[2]) : 0;
-            if
-            (
-                on && bulk[q]
-             && magnitude(l.difference(l.point(q), p)) <= reach
-            )
+            if (!on || !bulk[q])
+            {
+                continue;
+            }
+            const vector away = l.difference(l.point(q), p);
+            if (magnitude(away) <= reach && dot(away, normal) > 0)
             {
                 return true;
             }
@@ -113,7 +115,7 @@ void addNodes
     };
     for (const surfacePoint& s : nodes)
     {
-        if (nearFluid(s.position))
+        if (nearFluid(s.position, s.normal))
         {
             candidates.push_back
             ({

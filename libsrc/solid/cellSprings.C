@@ -10,6 +10,10 @@ namespace gpuFsi
 //- Below this part of its cube's value a constant is clipped
 static constexpr double leastShare = 0.01;
 
+//- Above this one, too: a few cells whose bonds have hardly enough directions
+//  would set the step of a whole solid
+static constexpr double mostShare = 10;
+
 //- The distinct components of n n n n, times the root of how often each occurs:
 //  the plain norm of these is the tensor's
 static std::vector<double> fourthMoment(const vector& n, int D)
@@ -120,9 +124,9 @@ cellSprings isotropicSprings
         {
             factor += multiplier[i]*rows[p][i];
         }
-        if (factor < leastShare)
+        if (factor < leastShare || factor > mostShare)
         {
-            factor = leastShare;
+            factor = factor < leastShare ? leastShare : mostShare;
             ++springs.nClipped;
         }
         springs.k.push_back(mu*base[p]*factor);

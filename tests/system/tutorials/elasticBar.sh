@@ -21,7 +21,8 @@ do
     for cells in 16 32 64
     do
         table=cells$cells/postProcessing/tips/0/displacement.dat
-        error[cells]=$(relativeError "$(frequency $table $((6*n - 4)))" "$exact")
+        f=$(frequency $table $((6*n - 4)))
+        error[cells]=$(relativeError "$f" "$exact")
     done
     echo "mode $n: errors of frequency ${error[*]}"
     expect "error of mode $n at 32 cells" "${error[32]}" "<=" 0.005

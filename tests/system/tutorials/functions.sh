@@ -72,6 +72,13 @@ frequency()
         -f "$FSI_DIR/etc/tools/frequency.awk" "$work/$1"
 }
 
+# swing TABLE COLUMN [FROM]: middle and half the range of a column
+swing()
+{
+    awk -v column="$2" -v from="${3:-0}" \
+        -f "$FSI_DIR/etc/tools/swing.awk" "$work/$1"
+}
+
 # expect WHAT VALUE RELATION LIMIT, where RELATION is <= or >=
 expect()
 {

@@ -128,3 +128,32 @@ TEST(solidsInFluid, regionsGiveWayToNodes)
     EXPECT_GT(nNodes, 0.7*nSurface);
     EXPECT_LE(nNodes, nSurface);
 }
+
+TEST(solidsInFluid, allOfARoundLumenIsWet)
+{
+    const lattice l(3, 0.2, {-1.6, -1.6, 0}, {1.6, 1.6, 0.6}, {0, 0, 1});
+    seededSolids solids = makeSolids
+    (
+        "tube { spacing 0.15; type levelSet; expression"
+        " \"(sqrt(x^2 + y^2) - 1)*(sqrt(x^2 + y^2) - 1.4)\"; }",
+        l
+    );
+    const seededParticles s = withSolids
+    (
+        l,
+        "lumen { type cylinder; point1 (0 0 -1); point2 (0 0 2); radius 1.2; }",
+        solids
+    );
+    std::size_t inner = 0, wet = 0;
+    for (const vector& p : solids.mesh.points)
+    {
+        inner += std::hypot(p.x, p.y) < 1.001;
+    }
+    for (const wallParticle& w : s.walls)
+    {
+        EXPECT_LT(std::hypot(w.position.x, w.position.y), 1.001);
+        wet += w.node >= 0;
+    }
+    EXPECT_GT(inner, 100u);
+    EXPECT_EQ(wet, inner);
+}

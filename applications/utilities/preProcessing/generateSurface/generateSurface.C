@@ -46,12 +46,16 @@ static int generateSurface(int argc, char** argv)
         argc,
         argv,
         "Write a closed triangle surface, centred at the origin, the axis of"
-        " a cylinder or torus along y.",
+        " a cylinder or torus along y; a tube that branches at the origin.",
         {
-            {"shape", "word", "cylinder (default), sphere, box or torus"},
+            {"shape", "word", "cylinder (default), sphere, box, torus or branch"},
             {"radius", "m", "default 1; of a torus: of its centre line"},
             {"tube", "m", "radius of a torus' section, default radius/3"},
-            {"length", "m", "of a cylinder or box edge, default 2"},
+            {"length", "m", "of a cylinder or box edge, default 2; branch: "
+                "from the origin to each end"},
+            {"offset", "m", "of a branch: outwards, default 0"},
+            {"wall", "m", "of a branch: thickness of a wall around it,"
+                " default 0: none, but the space within"},
             {"n", "count", "triangles around (box: along an edge), default 64"},
             {"ascii", "", "an ascii STL file, not a binary one"},
             {"out", "file", "ending .stl, .obj, .ply or .off"}
@@ -79,6 +83,17 @@ static int generateSurface(int argc, char** argv)
     {
         surface = makeBox(length, n);
     }
+    else if (shape == "branch")
+    {
+        surface = makeBranch
+        (
+            radius,
+            length,
+            number(args, "offset", 0, 0),
+            number(args, "wall", 0, 0),
+            std::max(n, 8)
+        );
+    }
     else if (shape == "torus" && tube < radius)
     {
         surface = makeTorus(radius, tube, around);
@@ -98,7 +113,8 @@ static int generateSurface(int argc, char** argv)
         (
             unknownChoice
             (
-                "shape", shape, {"cylinder", "sphere", "box", "torus"}
+                "shape", shape,
+                {"cylinder", "sphere", "box", "torus", "branch"}
             )
         );
     }
