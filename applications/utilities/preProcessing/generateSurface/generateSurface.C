@@ -48,7 +48,10 @@ static int generateSurface(int argc, char** argv)
         "Write a closed triangle surface, centred at the origin, the axis of"
         " a cylinder or torus along y; a tube that branches at the origin.",
         {
-            {"shape", "word", "cylinder (default), sphere, box, torus or branch"},
+            {
+                "shape", "word",
+                "cylinder (default), sphere, box, torus or branch"
+            },
             {"radius", "m", "default 1; of a torus: of its centre line"},
             {"tube", "m", "radius of a torus' section, default radius/3"},
             {"length", "m", "of a cylinder or box edge, default 2; branch: "
