@@ -136,7 +136,7 @@ TEST(constraints, aColumnBucklesInImplicitSteps)
         mesh,
         "E 1e5; nu 0; viscous 20; parts { left { type fixed; }"
         " right { type translation; velocity (-0.2 0 0); } }",
-        {0, 0.1, 0}
+        {0, 0.1, 0}, "stepping implicit;"
     );
     const auto solver = elasticSolver::make("cpu", mesh, p);
     const double dt = 0.05;
