@@ -2,6 +2,7 @@
 
 #include "case/domain.H"
 #include "case/fieldIO.H"
+#include "case/nearestImage.H"
 
 #include <fmt/format.h>
 
@@ -68,15 +69,7 @@ void checkRange
 
 vector solidMesh::offset(const vector& x, const vector& y) const
 {
-    const auto nearest = [](double d, double length)
-    {
-        return length > 0 ? d - length*std::round(d/length) : d;
-    };
-    const vector d = x - y;
-    return
-    {
-        nearest(d.x, period.x), nearest(d.y, period.y), nearest(d.z, period.z)
-    };
+    return nearestImage::of(period).offset(x, y);
 }
 
 

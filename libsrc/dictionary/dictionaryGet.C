@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace gpuFsi
 {
 
@@ -182,6 +184,25 @@ double dictionary::getDimensioned
 {
     const entry& e = primitive(key, valueForm<double>::name());
     return readWhole<double>(e, name_, skipDimensions(e, &expected));
+}
+
+
+double dictionary::getPositive
+(
+    const std::string& key,
+    const dimensionSet& expected
+) const
+{
+    const double value = getDimensioned(key, expected);
+    if (!(value > 0))
+    {
+        throw userError
+        (
+            fmt::format("Entry '{}' is {}, but must be positive", key, value),
+            where(key)
+        );
+    }
+    return value;
 }
 
 

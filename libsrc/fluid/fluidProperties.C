@@ -13,26 +13,6 @@ namespace fs = std::filesystem;
 static constexpr double unlimited = std::numeric_limits<double>::max();
 
 
-static double positive
-(
-    const dictionary& d,
-    const std::string& key,
-    const dimensionSet& dimensions
-)
-{
-    const double value = d.getDimensioned(key, dimensions);
-    if (!(value > 0))
-    {
-        throw userError
-        (
-            fmt::format("Entry '{}' is {}, but must be positive", key, value),
-            d.where(key)
-        );
-    }
-    return value;
-}
-
-
 static double soundSpeed(const dictionary& eos)
 {
     if (eos.found("c") && eos.found("c2"))
@@ -46,11 +26,11 @@ static double soundSpeed(const dictionary& eos)
     }
     if (eos.found("c"))
     {
-        return positive(eos, "c", dimensions::velocity);
+        return eos.getPositive("c", dimensions::velocity);
     }
     if (eos.found("c2"))
     {
-        return std::sqrt(positive(eos, "c2", {0, 2, -2, 0, 0, 0, 0}));
+        return std::sqrt(eos.getPositive("c2", {0, 2, -2, 0, 0, 0, 0}));
     }
     return 1/std::sqrt(3.0);    // eq (3)
 }
@@ -150,7 +130,7 @@ static void readFluid(const fs::path& file, fluidProperties& p)
     using state = fluidProperties::state;
     const dictionary dict = dictionary::fromFile(file);
     p.rho0 = dict.found("rho0")
-      ? positive(dict, "rho0", dimensions::density)
+      ? dict.getPositive("rho0", dimensions::density)
       : 1;
     p.mu = viscosity(dict, p.rho0);
 

@@ -50,10 +50,14 @@ public:
         for (std::size_t n = 0; n < solids_.size(); ++n)
         {
             const solidSet& s = state.solid;
-            const vector p = sum(s, solids_[n], s.pressureForce, false);
-            const vector v = sum(s, solids_[n], s.viscousForce, false);
-            const vector mp = sum(s, solids_[n], s.pressureForce, true);
-            const vector mv = sum(s, solids_[n], s.viscousForce, true);
+            const auto pressure =
+                [&](std::size_t i) { return s.pressureForce[i]; };
+            const auto viscous =
+                [&](std::size_t i) { return s.viscousForce(i); };
+            const vector p = sum(s, solids_[n], pressure, false);
+            const vector v = sum(s, solids_[n], viscous, false);
+            const vector mp = sum(s, solids_[n], pressure, true);
+            const vector mv = sum(s, solids_[n], viscous, true);
             std::string row = fmt::format("{:.12g}", info.time);
             for (const vector& f : {p, v, mp, mv})
             {
@@ -99,11 +103,13 @@ private:
         }
     }
 
+    //- force(i): of particle i
+    template<class Force>
     vector sum
     (
         const solidSet& s,
         int solid,
-        const std::vector<vector>& force,
+        const Force& force,
         bool moment
     ) const
     {
@@ -112,8 +118,8 @@ private:
             return pairwiseSum(0, s.size(), [&](std::size_t i)
             {
                 const vector f = s.solid[i] != solid ? vector{0, 0, 0}
-                  : moment ? cross(s.positions[i] - centre_, force[i])
-                  : force[i];
+                  : moment ? cross(s.positions[i] - centre_, force(i))
+                  : force(i);
                 return axis == 0 ? f.x : axis == 1 ? f.y : f.z;
             });
         };

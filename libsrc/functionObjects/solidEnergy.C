@@ -40,7 +40,7 @@ public:
     void start(const hostState& state, const runInfo&) override
     {
         solidsOf({}, where_, name(), state);
-        first_ = state.solid.kinetic + state.solid.elastic - works(state);
+        first_ = kept(state) - works(state);
     }
 
     void execute(const hostState& state, const runInfo& info) override
@@ -58,18 +58,18 @@ public:
                 "\tfluidKinetic\tfluidInternal\tcoupledTotal\n"
             );
         }
-        const solidSet& s = state.solid;
-        const double residual = s.kinetic + s.elastic - works(state) - first_;
+        const solidEnergies& s = state.solid.energies;
+        const double residual = kept(state) - works(state) - first_;
         const double kinetic = fluidKinetic(state);
         const double internal = fluidInternal(state, info);
         const double total = s.kinetic + s.elastic + s.dissipated
-          - s.workOfGravity - s.workOfLoads - s.workOfDrives
+          - s.gravity - s.loads - s.driven
           + kinetic + internal;
         std::string row = fmt::format("{:.12g}", info.time);
         for (double value :
             {
-                s.kinetic, s.elastic, s.dissipated, s.workOfGravity,
-                s.workOfLoads, s.workOfDrives, s.workOfFluid, residual,
+                s.kinetic, s.elastic, s.dissipated, s.gravity,
+                s.loads, s.driven, s.fluid, residual,
                 kinetic, internal, total
             })
         {
@@ -88,12 +88,19 @@ public:
 
 private:
 
+    //- In the solids at present
+    static double kept(const hostState& state)
+    {
+        const solidEnergies& s = state.solid.energies;
+        return s.kinetic + s.elastic;
+    }
+
     //- Put into the solids so far
     static double works(const hostState& state)
     {
-        const solidSet& s = state.solid;
-        return s.workOfGravity + s.workOfLoads + s.workOfDrives
-          + s.workOfFluid - s.dissipated;
+        const solidEnergies& s = state.solid.energies;
+        return s.gravity + s.loads + s.driven
+          + s.fluid - s.dissipated;
     }
 
     static double fluidKinetic(const hostState& state)

@@ -25,7 +25,9 @@ solidSet readSolidSet(const fs::path& time, const domain& d)
     }
     if (c.find("brokenBonds"))
     {
-        s.broken = needField(c, "brokenBonds", "labelField", time).values;
+        const auto& masks =
+            needField(c, "brokenBonds", "labelField", time).values;
+        s.broken.assign(masks.begin(), masks.end());
     }
     return s;
 }
@@ -48,19 +50,14 @@ static void addTensor
 }
 
 
-static std::vector<vector> combined
-(
-    const std::vector<vector>& a,
-    double factor,
-    const std::vector<vector>& b
-)
+static std::vector<vector> displacement(const solidSet& s)
 {
-    std::vector<vector> sum(a.size());
-    for (std::size_t i = 0; i < a.size(); ++i)
+    std::vector<vector> d(s.size());
+    for (std::size_t i = 0; i < d.size(); ++i)
     {
-        sum[i] = a[i] + factor*b[i];
+        d[i] = s.positions[i] - s.reference[i];
     }
-    return sum;
+    return d;
 }
 
 
@@ -81,15 +78,15 @@ std::size_t writeSolidSet
     c.addVector("U", s.U);
     c.addVector("acceleration", s.accelerations);
     c.addVector("referencePosition", s.reference);
-    c.addVector("displacement", combined(s.positions, -1, s.reference));
-    c.addVector("force", combined(s.pressureForce, 1, s.viscousForce));
+    c.addVector("displacement", displacement(s));
+    c.addVector("force", s.load);
     c.addScalar("rho", s.rho);
     c.addScalar("vonMises", s.vonMises);
     addTensor(c, "stress", s.stress);
     addTensor(c, "strain", s.strain);
     if (!s.broken.empty())
     {
-        c.addLabel("brokenBonds", s.broken);
+        c.addLabel("brokenBonds", {s.broken.begin(), s.broken.end()});
     }
     c.addLabel("solid", {s.solid.begin(), s.solid.end()});
     // A place that is rounded would be a strain

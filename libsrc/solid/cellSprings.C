@@ -14,30 +14,40 @@ static constexpr double leastShare = 0.01;
 //  would set the step of a whole solid
 static constexpr double mostShare = 10;
 
-//- The distinct components of n n n n, times the root of how often each occurs:
-//  the plain norm of these is the tensor's
-static std::vector<double> fourthMoment(const vector& n, int D)
+//- f(i, j, l) for the distinct components of a symmetric tensor of rank 4: how
+//  often each direction occurs
+template<class F>
+static void forComponents(int D, const F& f)
 {
-    const double c[3] = {n.x, n.y, n.z};
-    std::vector<double> m;
     for (int i = 4; i >= 0; --i)
     {
         for (int j = 4 - i; j >= 0; --j)
         {
             const int l = 4 - i - j;
-            if (D == 2 && l > 0)
+            if (D == 3 || l == 0)
             {
-                continue;
+                f(i, j, l);
             }
-            const double often = 24
-                /(std::tgamma(i + 1)*std::tgamma(j + 1)*std::tgamma(l + 1));
-            m.push_back
-            (
-                std::sqrt(std::round(often))
-               *std::pow(c[0], i)*std::pow(c[1], j)*std::pow(c[2], l)
-            );
         }
     }
+}
+
+
+//- The distinct components of n n n n, times the root of how often each occurs:
+//  the plain norm of these is the tensor's
+static std::vector<double> fourthMoment(const vector& n, int D)
+{
+    std::vector<double> m;
+    forComponents(D, [&](int i, int j, int l)
+    {
+        const double often = 24
+            /(std::tgamma(i + 1)*std::tgamma(j + 1)*std::tgamma(l + 1));
+        m.push_back
+        (
+            std::sqrt(std::round(often))
+           *std::pow(n.x, i)*std::pow(n.y, j)*std::pow(n.z, l)
+        );
+    });
     return m;
 }
 
@@ -45,20 +55,12 @@ static std::vector<double> fourthMoment(const vector& n, int D)
 static std::vector<double> isotropicMoment(int D)
 {
     std::vector<double> m;
-    for (int i = 4; i >= 0; --i)
+    forComponents(D, [&](int i, int j, int l)
     {
-        for (int j = 4 - i; j >= 0; --j)
-        {
-            const int l = 4 - i - j;
-            if (D == 2 && l > 0)
-            {
-                continue;
-            }
-            const bool even = i%2 == 0 && j%2 == 0;
-            const bool pure = i == 4 || j == 4 || l == 4;
-            m.push_back(!even ? 0 : pure ? 3 : std::sqrt(6.0));
-        }
-    }
+        const bool even = i%2 == 0 && j%2 == 0;
+        const bool pure = i == 4 || j == 4 || l == 4;
+        m.push_back(!even ? 0 : pure ? 3 : std::sqrt(6.0));
+    });
     return m;
 }
 

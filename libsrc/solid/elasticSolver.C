@@ -1,35 +1,11 @@
 #include "solid/elasticSolver.H"
 
-#include "device/backend.H"
+#include "device/useCuda.H"
 
 #include <fmt/format.h>
 
 namespace gpuFsi
 {
-
-static bool useCuda(const std::string& backend)
-{
-    if (backend == "cpu")
-    {
-        return false;
-    }
-#ifdef FSI_HAVE_CUDA
-    const bool there = cudaBackend::available();
-#else
-    const bool there = false;
-#endif
-    if (backend == "cuda" && !there)
-    {
-        throw userError
-        (
-            "Backend cuda is not available for the solids",
-            {},
-            "Set 'backend auto' or 'backend cpu' in system/controlDict."
-        );
-    }
-    return there;
-}
-
 
 static void checkState(const solidMesh& mesh, const solidState& s)
 {

@@ -1,5 +1,7 @@
 #include "solid/solidProperties.H"
 
+#include "fluid/fluidProperties.H"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -15,26 +17,6 @@ static constexpr double unlimited = std::numeric_limits<double>::max();
 static constexpr dimensionSet dimTime{0, 0, 1, 0, 0, 0, 0};
 
 
-static double positive
-(
-    const dictionary& d,
-    const std::string& key,
-    const dimensionSet& dimensions
-)
-{
-    const double value = d.getDimensioned(key, dimensions);
-    if (!(value > 0))
-    {
-        throw userError
-        (
-            fmt::format("Entry '{}' is {}, but must be positive", key, value),
-            d.where(key)
-        );
-    }
-    return value;
-}
-
-
 //- lambda, mu and what central springs leave over
 static void readModuli(const dictionary& d, int D, solidMaterial& m)
 {
@@ -42,7 +24,7 @@ static void readModuli(const dictionary& d, int D, solidMaterial& m)
      && d.getChoiceOrDefault("plane", "strain", {"strain", "stress"})
      == "stress";
     const double own = m.planeStress ? 1.0/3 : 1.0/4;
-    const double E = positive(d, "E", dimensions::pressure);
+    const double E = d.getPositive("E", dimensions::pressure);
     const double nu = d.getNumberOrDefault("nu", own, 0, 0.499);
     m.mu = E/(2*(1 + nu));
     m.lambda = E*nu/((1 + nu)*(1 - 2*nu));
@@ -70,7 +52,7 @@ static void readModuli(const dictionary& d, int D, solidMaterial& m)
 static solidMaterial readMaterial(const dictionary& d, int D)
 {
     solidMaterial m;
-    m.rho = positive(d, "rho", dimensions::density);
+    m.rho = d.getPositive("rho", dimensions::density);
     m.uniform = d.getChoiceOrDefault
     (
         "springs", "isotropic", {"isotropic", "uniform"}
@@ -96,7 +78,7 @@ static solidMaterial readMaterial(const dictionary& d, int D)
     m.viscous = d.getNumberOrDefault("viscous", 0, 0, unlimited);
     if (d.found("breakStrain"))
     {
-        m.breakStrain = positive(d, "breakStrain", dimensionSet{});
+        m.breakStrain = d.getPositive("breakStrain", dimensionSet{});
     }
     return m;
 }
@@ -193,7 +175,7 @@ static solidPart readPart(const dictionary& d, int D)
         p.kind = solidPart::type::driven;
         p.motion = wallMotion::make(d);
     }
-    p.ramp = d.found("ramp") ? positive(d, "ramp", dimTime) : 0;
+    p.ramp = d.found("ramp") ? d.getPositive("ramp", dimTime) : 0;
     if (D == 2 && leavesPlane(p))
     {
         throw userError
@@ -296,22 +278,10 @@ solidProperties solidProperties::read
     const solidMesh& mesh
 )
 {
-    vector gravity{};
-    const fs::path file = casePath/"constant"/"g";
-    if (fs::exists(file))
-    {
-        const dictionary g = dictionary::fromFile(file);
-        if (g.found("dimensions"))
-        {
-            g.tokens("dimensions");
-        }
-        gravity = g.getDimensionedVector("value", dimensions::acceleration);
-        g.warnUnread();
-    }
     return read
     (
         dictionary::fromFile(casePath/"constant"/"solidProperties"),
-        gravity, mesh
+        readGravity(casePath), mesh
     );
 }
 

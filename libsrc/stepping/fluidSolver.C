@@ -1,6 +1,6 @@
 #include "stepping/fluidSolver.H"
 
-#include "device/backend.H"
+#include "device/useCuda.H"
 #include "stepping/backendSolvers.H"
 
 #include <fmt/format.h>
@@ -61,32 +61,6 @@ static void checkCoupling
             "surface' in constant/couplingProperties."
         );
     }
-}
-
-
-static bool useCuda(const std::string& backend)
-{
-    if (backend == "cpu")
-    {
-        return false;
-    }
-#ifdef FSI_HAVE_CUDA
-    const bool there = cudaBackend::available();
-    const char* why = "no usable GPU was found";
-#else
-    const bool there = false;
-    const char* why = "this build has no CUDA";
-#endif
-    if (backend == "cuda" && !there)
-    {
-        throw userError
-        (
-            fmt::format("Backend cuda is not available: {}", why),
-            {},
-            "Set 'backend auto' or 'backend cpu' in system/controlDict."
-        );
-    }
-    return there;
 }
 
 

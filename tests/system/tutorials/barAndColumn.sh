@@ -7,15 +7,7 @@ export OMP_NUM_THREADS=1
 # Root of Z cot(w Ls/cs) + cot(w) = 0 in ($1, $2): Z = 4, Ls/cs = 1/4
 root()
 {
-    awk -v a="$1" -v b="$2" '
-        function f(w) { return 4*cos(w/4)/sin(w/4) + cos(w)/sin(w) }
-        BEGIN {
-            for (n = 0; n < 60; ++n)
-            {
-                m = (a + b)/2
-                if (f(a)*f(m) <= 0) b = m; else a = m
-            }
-            printf "%.9f", a }'
+    bisect "4*cos(w/4)/sin(w/4) + cos(w)/sin(w)" "$1" "$2"
 }
 
 copyCase barAndColumn asItIs

@@ -41,3 +41,19 @@ energyPeak()
         END { printf "%.6g\n", most/first }' \
         "$work/$1/postProcessing/ledger/0/solidEnergy.dat"
 }
+
+# bisect F LOWER UPPER: root of the awk expression F of w between them
+bisect()
+{
+    awk '
+        function f(w) { return '"$1"' }
+        BEGIN {
+            a = '"$2"'
+            b = '"$3"'
+            for (n = 0; n < 60; ++n)
+            {
+                c = (a + b)/2
+                if (f(a)*f(c) <= 0) b = c; else a = c
+            }
+            printf "%.9f", a }'
+}

@@ -3,38 +3,8 @@
 # thousand times: the first coupled frequency, and no growth
 . "$(dirname "$0")/functions.sh"
 . "$(dirname "$0")/coupled.sh"
+. "$(dirname "$0")/immersedBarCase.sh"
 export OMP_NUM_THREADS=1
-
-# Root of 2 rho tan(w/8) = cot(w) in (0, pi/2), rho = $1
-root()
-{
-    awk -v rho="$1" '
-        function f(w) { return 2*rho*sin(w/8)/cos(w/8) - cos(w)/sin(w) }
-        BEGIN {
-            a = 1e-6
-            b = 1.5707
-            for (n = 0; n < 60; ++n)
-            {
-                m = (a + b)/2
-                if (f(a)*f(m) <= 0) b = m; else a = m
-            }
-            printf "%.9f", a }'
-}
-
-# bar RHO ROWS PERIODS
-bar()
-{
-    local name=rho$1
-    copyCase immersedBar "$name"
-    setEntry "$name/system/density" rho "$1"
-    setEntry "$name/system/resolution" rows "$2"
-    setEntry "$name/system/controlDict" periods "$3"
-    run "$name" || exit 1
-    expect "error of the frequency, rho = $1, $2 rows" \
-        "$(fitError "$name" "$(root "$1")")" "<=" 0.015
-    expect "greatest energy over the first, $3 periods" \
-        "$(energyPeak "$name")" "<=" 1.02
-}
 
 bar 0.1 20 20
 bar 1 20 20

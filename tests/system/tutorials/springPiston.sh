@@ -8,17 +8,7 @@ export OMP_NUM_THREADS=1
 # Root of m w^2 = 1 + w cot(w) in (0, pi), m = $1
 root()
 {
-    awk -v m="$1" '
-        function f(w) { return m*w*w - 1 - w*cos(w)/sin(w) }
-        BEGIN {
-            a = 1e-6
-            b = 3.1415
-            for (n = 0; n < 60; ++n)
-            {
-                c = (a + b)/2
-                if (f(a)*f(c) <= 0) b = c; else a = c
-            }
-            printf "%.9f", a }'
+    bisect "$1*w*w - 1 - w*cos(w)/sin(w)" 1e-6 3.1415
 }
 
 # piston MASS ROWS PERIODS: prints the error of the frequency

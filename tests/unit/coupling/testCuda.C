@@ -1,9 +1,7 @@
 // Fluid and solid on a GPU against the CPU.
 
 #include "barColumn.H"
-#include "device/backend.H"
-
-#include <gtest/gtest.h>
+#include "common/needsGpu.H"
 
 using namespace gpuFsi;
 
@@ -44,12 +42,7 @@ public:
 
     void SetUp() override
     {
-#ifdef FSI_HAVE_CUDA
-        if (!cudaBackend::available())
-#endif
-        {
-            GTEST_SKIP() << "no GPU here: cuda backend not compared";
-        }
+        NEEDS_GPU;
         scene.fluid = publishedFluid(0.01);
         for (std::size_t i = 0; i < scene.state.fluid.size(); ++i)
         {

@@ -2,6 +2,7 @@
 // the masses, and what both masses together take.
 
 #include "coupling/wallAcceleration.H"
+#include "solid/springNetwork.H"
 
 #include <gtest/gtest.h>
 
@@ -67,13 +68,18 @@ TEST(wallAcceleration, massesAreSharesOfCells)
     };
     mesh.solid.assign(6, 0);
     mesh.part = {0, -1, -1, 0, -1, -1};
+    mesh.names = {"block"};
+    mesh.parts = {{0, "end"}};
     mesh.cells = {{0, 1, 3, 4, -1, -1, -1, -1}, {1, 2, 4, 5, -1, -1, -1, -1}};
     solidProperties properties;
     properties.materials.resize(1);
     properties.materials[0].rho = 8;
     properties.parts.resize(1);
     properties.parts[0].kind = solidPart::type::fixed;
-    const std::vector<double> mass = massesOf(mesh, properties);
+    const std::vector<double> mass = yieldingMasses
+    (
+        mesh, properties, springNetwork::of(mesh, properties).mass
+    );
     EXPECT_EQ
     (
         mass, (std::vector<double>{HUGE_VAL, 1, 0.5, HUGE_VAL, 1, 0.5})

@@ -15,7 +15,7 @@ hostState twoSolids(int dimensions = 3)
     s.positions = {{2.25, 0, 0}, {2, 1.5, -0.125}, {5, 0, 0.5}};
     s.U = {{1, 2, 3}, {4, 5, 6}, {-7, -8, -9}};
     s.pressureForce = {{1, 0, 0}, {0, 2, 0}, {0, 0, 4}};
-    s.viscousForce = {{0, 0, 3}, {0.5, 0, 0}, {0, -1, 0}};
+    s.load = {{1, 0, 3}, {0.5, 2, 0}, {0, -1, 4}};    // viscous: the rest
     s.solid = {0, 0, 1};
     s.names = {"plate", "ball"};
     return state;
@@ -152,10 +152,10 @@ TEST(solidEnergy, closesTheLedger)
 {
     testRun run;
     hostState state = twoSolids();
-    solidSet& s = state.solid;
+    solidEnergies& s = state.solid.energies;
     s.kinetic = 5;
     s.elastic = 2;
-    s.workOfFluid = 10;
+    s.fluid = 10;
     const dictionary dict =
         dictionary::fromString("functions { e { type solidEnergy; } }");
     functionObjectList list(dict, run.info);
@@ -165,10 +165,10 @@ TEST(solidEnergy, closesTheLedger)
     s.kinetic = 6;
     s.elastic = 4;
     s.dissipated = 0.5;
-    s.workOfGravity = 1;
-    s.workOfLoads = 2;
-    s.workOfDrives = 0.25;
-    s.workOfFluid = 10.25;
+    s.gravity = 1;
+    s.loads = 2;
+    s.driven = 0.25;
+    s.fluid = 10.25;
     for (std::size_t i = 0; i < state.fluid.size(); ++i)
     {
         state.fluid.U[i] = {0, 3, 0};          // mass 2

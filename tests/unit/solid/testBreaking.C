@@ -124,10 +124,7 @@ TEST(breaking, tornBarKeepsMomentumAndTheLedgerCloses)
                 return sum;
             }();
             const double kinetic = solver->energies().kinetic;
-            for (int k = 0; k < 40; ++k)
-            {
-                solver->advance(0.05*k, 0.05);
-            }
+            march(*solver, 40, 0.05);
             const hostSolid s = solver->download();
             vector momentum{};
             for (int i = 0; i < t.net.n; ++i)

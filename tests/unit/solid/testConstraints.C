@@ -33,10 +33,7 @@ TEST(constraints, aDrivenEndTurnsExactly)
             {}, scheme
         );
         const auto solver = elasticSolver::make("cpu", mesh, p);
-        for (int k = 0; k < 50; ++k)
-        {
-            solver->advance(0.02*k, 0.02);
-        }
+        march(*solver, 50, 0.02);
         const double c = std::cos(2.0), s = std::sin(2.0);
         const hostSolid now = solver->download();
         for (std::size_t i = 0; i < mesh.size(); ++i)
@@ -75,10 +72,7 @@ TEST(constraints, slideOnAnObliquePlane)
             g, scheme
         );
         const auto solver = elasticSolver::make("cpu", mesh, p);
-        for (int k = 0; k < 20; ++k)
-        {
-            solver->advance(0.05*k, 0.05);
-        }
+        march(*solver, 20, 0.05);
         const vector along = g - dot(g, n)*n;
         const hostSolid s = solver->download();
         for (std::size_t i = 0; i < mesh.size(); ++i)
@@ -141,10 +135,7 @@ TEST(constraints, aColumnBucklesInImplicitSteps)
     const auto solver = elasticSolver::make("cpu", mesh, p);
     const double dt = 0.05;
     EXPECT_EQ(solver->subSteps(dt), 1);
-    for (int k = 0; k < 20; ++k)
-    {
-        solver->advance(dt*k, dt);
-    }
+    march(*solver, 20, dt);
     const int middle = 2*33 + 16;
     RecordProperty
     (

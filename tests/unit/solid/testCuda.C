@@ -1,9 +1,7 @@
 // The cuda backend against the cpu's.
 
 #include "blocks.H"
-#include "device/backend.H"
-
-#include <gtest/gtest.h>
+#include "common/needsGpu.H"
 
 using namespace gpuFsi;
 
@@ -49,10 +47,7 @@ hostSolid after(const scene& s, const char* backend, const std::string& more)
     (
         backend, s.mesh, material(s.mesh, s.entries, s.g, more), s.state
     );
-    for (int k = 0; k < 20; ++k)
-    {
-        solver->advance(0.05*k, 0.05);
-    }
+    march(*solver, 20, 0.05);
     return solver->download();
 }
 
@@ -77,12 +72,7 @@ public:
 
     void SetUp() override
     {
-#ifdef FSI_HAVE_CUDA
-        if (!cudaBackend::available())
-#endif
-        {
-            GTEST_SKIP() << "no GPU here: cuda backend not compared";
-        }
+        NEEDS_GPU;
     }
 };
 

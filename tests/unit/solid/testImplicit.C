@@ -46,10 +46,7 @@ hostSolid everything(int D, const char* stepping, int steps)
     s.load.assign(mesh.size(), vector{0.001, 0, 0});
     const auto solver = elasticSolver::make("cpu", mesh, p, s);
     const double dt = 0.5/steps;
-    for (int k = 0; k < steps; ++k)
-    {
-        solver->advance(k*dt, dt);
-    }
+    march(*solver, steps, dt);
     return solver->download();
 }
 
@@ -184,10 +181,7 @@ TEST(implicitSolid, staticLimit)
         {}, "stepping implicit;"
     );
     const auto solver = elasticSolver::make("cpu", mesh, p);
-    for (int k = 0; k < 150; ++k)
-    {
-        solver->advance(0.001*k, 0.001);
-    }
+    march(*solver, 150, 0.001);
     const hostSolid s = solver->download();
     EXPECT_NEAR(s.positions[8].x - 1, 1e-5, 2e-9);
     EXPECT_NEAR(s.stress[4][0], 10, 2e-3);

@@ -134,10 +134,7 @@ TEST(elasticBar, staticExtensionUnderAForce)
         " right { type traction; traction (1e-5 0 0); ramp 1; } }"
     );
     const auto solver = elasticSolver::make("cpu", mesh, p);
-    for (int k = 0; k < 300; ++k)
-    {
-        solver->advance(0.1*k, 0.1);
-    }
+    march(*solver, 300, 0.1);
     const hostSolid s = solver->download();
     EXPECT_NEAR(s.positions[8].x - 1, 1e-5, 2e-8);
     EXPECT_NEAR(s.stress[4][0], 1e-5, 2e-8);

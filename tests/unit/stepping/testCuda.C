@@ -3,9 +3,7 @@
 #include "common/column.H"
 #include "common/fluids.H"
 #include "common/lattice.H"
-#include "device/backend.H"
-
-#include <gtest/gtest.h>
+#include "common/needsGpu.H"
 
 #include <cmath>
 #include <cstring>
@@ -14,18 +12,6 @@ using namespace gpuFsi;
 
 namespace
 {
-
-bool noGpu()
-{
-#ifdef FSI_HAVE_CUDA
-    return !cudaBackend::available();
-#else
-    return true;
-#endif
-}
-
-#define NEEDS_GPU \
-    if (noGpu()) GTEST_SKIP() << "no GPU here: cuda backend not compared"
 
 struct scene
 {

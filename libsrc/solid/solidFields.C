@@ -1,4 +1,4 @@
-#include "solid/hostSolid.H"
+#include "solid/solidFields.H"
 
 #include "base/sum.H"
 #include "solid/cellShape.H"
