@@ -135,36 +135,34 @@ std::string unknownChoice
 }
 
 
+void printFatal(const char* application, const char* what, bool ofFile)
+{
+    std::fflush(stdout);
+    std::fprintf
+    (
+        stderr,
+        "\n\n--> FOAM FATAL %sERROR: \n%s\n\n    From %s\n\nFOAM exiting\n\n",
+        ofFile ? "IO " : "", what, application
+    );
+}
+
+
+bool namesFile(const std::exception& e)
+{
+    const auto* user = dynamic_cast<const userError*>(&e);
+    return user && !user->where().file.empty();
+}
+
+
 int runMain(const char* application, const std::function<int()>& body)
 {
     try
     {
         return body();
     }
-    catch (const userError& e)
-    {
-        std::fflush(stdout);
-        std::fprintf
-        (
-            stderr,
-            "\n\n--> FOAM FATAL %sERROR: \n%s\n\n    From %s\n\n"
-            "FOAM exiting\n\n",
-            e.where().file.empty() ? "" : "IO ",
-            e.what(),
-            application
-        );
-    }
     catch (const std::exception& e)
     {
-        std::fflush(stdout);
-        std::fprintf
-        (
-            stderr,
-            "\n\n--> FOAM FATAL ERROR: \n%s\n\n    From %s\n\n"
-            "FOAM exiting\n\n",
-            e.what(),
-            application
-        );
+        printFatal(application, e.what(), namesFile(e));
     }
     return 1;
 }

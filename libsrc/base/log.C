@@ -8,8 +8,26 @@
 namespace gpuFsi
 {
 
+static bool silent = false;
+
+void silenceLog(bool beSilent)
+{
+    silent = beSilent;
+}
+
+
+bool logIsSilent()
+{
+    return silent;
+}
+
+
 void warning(const std::string& text)
 {
+    if (silent)
+    {
+        return;
+    }
     std::fflush(stdout);
     fmt::print(stderr, "--> FOAM Warning : {}\n", text);
 }

@@ -27,6 +27,18 @@ void cpuBackend::release(void* p)
 }
 
 
+void* cpuBackend::allocatePinned(std::size_t bytes)
+{
+    return allocate(bytes);
+}
+
+
+void cpuBackend::releasePinned(void* p)
+{
+    release(p);
+}
+
+
 void cpuBackend::copyIn(void* to, const void* from, std::size_t bytes)
 {
     std::memcpy(to, from, bytes);

@@ -37,6 +37,20 @@ void cudaBackend::release(void* p)
 }
 
 
+void* cudaBackend::allocatePinned(std::size_t bytes)
+{
+    void* p = nullptr;
+    cudaCheck(cudaMallocHost(&p, bytes));
+    return p;
+}
+
+
+void cudaBackend::releasePinned(void* p)
+{
+    cudaFreeHost(p);
+}
+
+
 void cudaBackend::copyIn(void* to, const void* from, std::size_t bytes)
 {
     cudaCheck(cudaMemcpy(to, from, bytes, cudaMemcpyHostToDevice));
@@ -84,6 +98,14 @@ bool cudaBackend::available()
 {
     int count = 0;
     return cudaGetDeviceCount(&count) == cudaSuccess && count > 0;
+}
+
+
+void cudaBackend::choose(int number)
+{
+    int count = 0;
+    cudaCheck(cudaGetDeviceCount(&count));
+    cudaCheck(cudaSetDevice(number % count));
 }
 
 } // namespace gpuFsi
