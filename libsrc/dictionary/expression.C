@@ -212,6 +212,12 @@ const std::string& expression::text() const
 }
 
 
+bool expression::uses(const std::string& variable) const
+{
+    return impl_->parser.GetUsedVar().count(variable) > 0;
+}
+
+
 std::vector<double> expression::at
 (
     const std::vector<vector>& points,

@@ -52,7 +52,7 @@ public:
             );
         }
         axis_ = (1/length)*axis_;
-        drive_ = dot(axis_, dict.getOrDefault<vector>("g", fluid.g));
+        drive_ = dot(axis_, fluid.steadyForce(dict));
     }
 
     std::vector<vector> vectors

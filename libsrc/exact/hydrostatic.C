@@ -25,7 +25,7 @@ public:
     :
         rho0_(dict.getNumberOrDefault("rho0", fluid.rho0, tiny, huge)),
         c_(dict.getNumberOrDefault("c", fluid.c, tiny, huge)),
-        g_(dict.getOrDefault<vector>("g", fluid.g)),
+        g_(fluid.steadyForce(dict)),
         origin_(dict.getOrDefault<vector>("origin", {0, 0, 0}))
     {}
 

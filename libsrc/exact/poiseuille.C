@@ -21,7 +21,7 @@ public:
     poiseuille(const dictionary& dict, const fluidConstants& fluid)
     :
         column_(dict, fluid),
-        force_(dict.getOrDefault<vector>("g", fluid.g))
+        force_(fluid.steadyForce(dict))
     {
         force_ = force_ - dot(force_, column_.direction)*column_.direction;
         if (!(column_.nu > 0))

@@ -159,28 +159,9 @@ fluidProperties fluidProperties::read
     {
         readFluid(casePath/"constant"/"fluidProperties", p);
     }
-    p.g = readGravity(casePath);
+    p.g = bodyForce::read(casePath);
     readWalls(casePath, d, p);
     return p;
-}
-
-
-vector readGravity(const fs::path& casePath)
-{
-    const fs::path file = casePath/"constant"/"g";
-    if (!fs::exists(file))
-    {
-        return {0, 0, 0};
-    }
-    const dictionary dict = dictionary::fromFile(file);
-    if (dict.found("dimensions"))
-    {
-        dict.tokens("dimensions");
-    }
-    const vector g =
-        dict.getDimensionedVector("value", dimensions::acceleration);
-    dict.warnUnread();
-    return g;
 }
 
 

@@ -1,6 +1,8 @@
 //- type budgets: what a closed flow must keep, by sums over the particles.
 //  In 2-D all are per metre of depth. Drifts are since the first state of
-//  this run. No keys of its own.
+//  this run. A body force that varies with time has no potential: its work
+//  since then, by the trapezoidal rule over the rows, is a column more. No keys
+//  of its own.
 
 #include "base/log.H"
 #include "base/sum.H"
@@ -26,7 +28,8 @@ struct totals
     vector momentum{0, 0, 0};
     double kinetic = 0;        // J
     double internal = 0;       // above rho0
-    double potential = 0;      // -sum m g.x
+    double potential = 0;      // -sum m g.x of a steady g
+    double power = 0;          // of a g that varies, W
     vector centre{0, 0, 0};    // of the fluid's mass
 
     double energy() const { return kinetic + internal + potential; }
@@ -65,7 +68,14 @@ totals totalsOf(const hostState& state, const runInfo& info)
     (
         [&](index i) { return f.mass[i]*dot(f.U[i], f.U[i])/2; }
     );
-    t.potential = -t.mass*dot(info.gravity, t.centre);
+    if (info.forceVaries)
+    {
+        t.power = dot(info.gravity, t.momentum);
+    }
+    else
+    {
+        t.potential = -t.mass*dot(info.gravity, t.centre);
+    }
 
     const auto energy = internalEnergy(f.deltaRho, state.rho0, info.pressure);
     t.internal = fluid([&](index i) { return f.mass[i]*energy[i]; });
@@ -99,6 +109,8 @@ public:
     void start(const hostState& state, const runInfo& info) override
     {
         first_ = totalsOf(state, info);
+        power_ = first_.power;
+        before_ = info.time;
     }
 
     void execute(const hostState& state, const runInfo& info) override
@@ -108,10 +120,13 @@ public:
             open(info);
         }
         const totals t = totalsOf(state, info);
+        work_ += (info.time - before_)*(power_ + t.power)/2;
+        power_ = t.power;
+        before_ = info.time;
         const double all = t.volume + t.wallVolume;
         const double massDrift = (t.mass - first_.mass)/first_.mass;
         const double volumeError = all/state.volume - 1;
-        const double energyDrift = t.energy() - first_.energy();
+        const double energyDrift = t.energy() - first_.energy() - work_;
         const vector momentumDrift = t.momentum - first_.momentum;
 
         std::string row = fmt::format("{:.12g}", info.time);
@@ -127,6 +142,10 @@ public:
             })
         {
             row += fmt::format("\t{:.10e}", value);
+        }
+        if (info.forceVaries)
+        {
+            row += fmt::format("\t{:.10e}", work_);
         }
         file_->write(row + "\n");
         if (log())
@@ -157,11 +176,15 @@ private:
             "\tcentre_x\tcentre_y\tcentre_z"
             "\tmassDrift\tvolumeError"
             "\tmomentumDrift_x\tmomentumDrift_y\tmomentumDrift_z"
-            "\tenergyDrift\n"
+            "\tenergyDrift"
         );
+        file_->write(info.forceVaries ? "\tworkOfForce\n" : "\n");
     }
 
     totals first_;
+    double work_ = 0;          // of a force that varies, J
+    double power_ = 0;         // at the last row, W
+    double before_ = 0;        // its time, s
     std::optional<outputFile> file_;
 };
 

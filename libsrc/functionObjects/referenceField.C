@@ -16,6 +16,7 @@ fluidConstants constantsOf(const runInfo& info)
     fluid.c = info.c;
     fluid.nu = info.mu/info.rho0;
     fluid.g = info.gravity;
+    fluid.forceVaries = info.forceVaries;
     return fluid;
 }
 

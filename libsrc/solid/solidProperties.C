@@ -1,7 +1,5 @@
 #include "solid/solidProperties.H"
 
-#include "fluid/fluidProperties.H"
-
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -229,17 +227,17 @@ static void readParts
 solidProperties solidProperties::read
 (
     const dictionary& dict,
-    const vector& g,
+    const bodyForce& g,
     const solidMesh& mesh
 )
 {
     solidProperties p;
     p.g = g;
-    if (mesh.dimensions == 2 && g.z != 0)
+    if (mesh.dimensions == 2 && g.acts(2))
     {
         throw userError
         (
-            fmt::format("Gravity has the z component {:g} in 2-D", g.z),
+            "Gravity has a z component in 2-D",
             {},
             "Set it to 0 in constant/g."
         );
@@ -281,7 +279,7 @@ solidProperties solidProperties::read
     return read
     (
         dictionary::fromFile(casePath/"constant"/"solidProperties"),
-        readGravity(casePath), mesh
+        bodyForce::read(casePath), mesh
     );
 }
 

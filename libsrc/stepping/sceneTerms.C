@@ -18,7 +18,8 @@ std::string sceneTerms
         list += list.empty() ? term : std::string(", ") + term;
     };
     sort(properties.mu > 0, "viscosity");
-    sort(dot(properties.g, properties.g) > 0, "gravity");
+    const bodyForce& g = properties.g;
+    sort(g.acts(), g.varies() ? "body force in time" : "gravity");
     sort(walls, "walls");
     sort(properties.wallsMove(), "wall motion");
     sort(properties.wallsSlip(), "slip");

@@ -30,7 +30,7 @@ runReport::runReport
     info_.rho0 = fluid.rho0;
     info_.c = fluid.c;
     info_.mu = fluid.mu;
-    info_.gravity = fluid.g;
+    info_.forceVaries = fluid.g.varies();
     info_.device = solver.device();
     info_.precision = solver.precision();
     info_.scheme = schemes.describe();
@@ -74,6 +74,7 @@ double runReport::loopSeconds() const
 const runInfo& runReport::info()
 {
     info_.time = time_.value();
+    info_.gravity = fluid_.g.at(info_.time);
     info_.timeName = time_.timeName();
     info_.timeIndex = time_.index();
     info_.deltaT = time_.deltaT();

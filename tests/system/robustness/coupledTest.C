@@ -39,6 +39,7 @@ systemCase elasticWall(const std::string& law)
         "constant/couplingProperties",
         "force " + law + "; referencePressure 0.01;\n"
     );
+    c.write("constant/g", "value (\"0.2*sin(9*t)\" 0 0);\n");
     c.add
     (
         control,

@@ -144,6 +144,23 @@ TEST(restart, momentWeights)
 }
 
 
+TEST(restart, bodyForceInTime)
+{
+    systemCase c = systemCase::piston();
+    c.set(control, "endTime", "0.3");
+    c.write("constant/g", "value (\"0.3*cos(20*t)\" \"0.1*t\" 0);\n");
+    c.seed();
+    expectSameFromEveryTime(c);
+    c.add(schemes, "areaWeights moment;");
+    for (const char* time : {"symplecticEuler", "RK2"})
+    {
+        systemCase moment(c);
+        moment.add(schemes, std::string("timeScheme ") + time + ";");
+        expectSameFromEveryTime(moment);
+    }
+}
+
+
 TEST(restart, stepThatAdjustsItself)
 {
     systemCase c = systemCase::piston();

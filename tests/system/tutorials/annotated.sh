@@ -7,7 +7,8 @@ rm -rf "${work:?}/case"
 mkdir -p "$work"/case/{system,constant}
 cp "$annotated"/{controlDict,particleSchemes,seedParticlesDict} \
     "$work/case/system"
-cp "$annotated"/{fluid,wall,solid,coupling}Properties "$work/case/constant"
+cp "$annotated"/{g,{fluid,wall,solid,coupling}Properties} \
+    "$work/case/constant"
 cd "$work/case" || exit 1
 . "$FSI_DIR/etc/tools/RunFunctions"
 runApplication seedParticles

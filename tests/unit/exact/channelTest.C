@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 using namespace gpuFsi;
 
@@ -29,11 +30,17 @@ struct made
     }
 };
 
-//- Crank-Nicolson of u_t = G + nu (u_ss + k/s u_s), u(L) = wall; k 0: u(0) = 0,
+std::function<double(double)> steady(double G)
+{
+    return [G](double) { return G; };
+}
+
+//- Crank-Nicolson of u_t = G(t) + nu (u_ss + k/s u_s), u(L) = wall; k 0: u(0) = 0,
 //  k 1 (a pipe, s the radius): symmetric at s = 0. Values at s_i = i L/n.
 std::vector<double> diffusion
 (
-    int n, double L, double nu, double G, double wall, int k, double T
+    int n, double L, double nu, const std::function<double(double)>& G,
+    double wall, int k, double T
 )
 {
     const double h = L/n;
@@ -63,7 +70,7 @@ std::vector<double> diffusion
             up[i] = -r*upper;
             mid[i] = 1 + r*(lower + upper);
             b[i] = fixed ? u[i]
-                : u[i] + G*T/steps
+                : u[i] + G((step + 0.5)*T/steps)*T/steps
                   + r*(lower*(left - u[i]) + upper*(right - u[i]));
         }
         for (int i = 1; i <= n; ++i)
@@ -93,7 +100,7 @@ TEST(poiseuille, equalsFiniteDifferences)
     );
     for (double t : {0.2, 1.5, 20.0})
     {
-        const auto u = diffusion(200, 2, 0.3, 0.7, 0, 0, t);
+        const auto u = diffusion(200, 2, 0.3, steady(0.7), 0, 0, t);
         for (int i = 0; i <= 200; i += 20)
         {
             const vector U = flow.U({5, 1 + i*0.01, 3}, t);
@@ -107,6 +114,68 @@ TEST(poiseuille, equalsFiniteDifferences)
 }
 
 
+TEST(womersley, equalsFiniteDifferences)
+{
+    const made flow
+    (
+        "womersley",
+        "length 2; origin (0 1 0); direction (0 1 0); g (0.7 -9 0);"
+        " omega 3; phase 0.4;",
+        0.1
+    );
+    const auto G = [](double t) { return 0.7*std::cos(3*t + 0.4); };
+    for (double t : {0.05, 0.9, 7.0})
+    {
+        const auto u = diffusion(200, 2, 0.1, G, 0, 0, t);
+        for (int i = 0; i <= 200; i += 20)
+        {
+            const vector U = flow.U({5, 1 + i*0.01, 3}, t);
+            EXPECT_NEAR(U.x, u[i], 3e-5) << t << " " << i;
+            EXPECT_EQ(U.y, 0);
+        }
+    }
+    EXPECT_EQ(flow.U({0, 2, 0}, 0).x, 0);
+
+    // A whole swing later, once settled, and slow: Poiseuille's
+    EXPECT_NEAR
+    (
+        flow.U({0, 1.7, 0}, 200).x,
+        flow.U({0, 1.7, 0}, 200 + 2*3.14159265358979324/3).x, 1e-12
+    );
+    const made slow
+    (
+        "womersley", "length 2; direction (0 1 0); g (0.7 0 0); omega 1e-6;",
+        0.3
+    );
+    EXPECT_NEAR(slow.U({0, 1, 0}, 100).x, 0.7*4/(8*0.3), 1e-5);
+    EXPECT_THROW
+    (
+        made("womersley", "length 2; g (1 0 0); omega 0;", 0.3), userError
+    );
+}
+
+
+TEST(steadySolutions, refuseAForceThatVaries)
+{
+    fluidConstants fluid;
+    fluid.nu = 1;
+    fluid.forceVaries = true;
+    for (const char* word : {"poiseuille", "hagenPoiseuille", "hydrostatic"})
+    {
+        const auto make = [&](const std::string& more)
+        {
+            return exactSolution::make
+            (
+                word, dictionary::fromString("length 1; radius 1; " + more),
+                fluid
+            );
+        };
+        EXPECT_THROW(make(""), userError) << word;
+        EXPECT_NO_THROW(make("g (1 0 0);")) << word;
+    }
+}
+
+
 TEST(couette, equalsFiniteDifferences)
 {
     const made flow
@@ -115,7 +184,7 @@ TEST(couette, equalsFiniteDifferences)
     );
     for (double t : {0.3, 1.5, 30.0})
     {
-        const auto u = diffusion(400, 2, 0.3, 0, 3, 0, t);
+        const auto u = diffusion(400, 2, 0.3, steady(0), 3, 0, t);
         for (int i = 0; i <= 400; i += 40)
         {
             EXPECT_NEAR(flow.U({5, i*0.005, 3}, t).z, u[i], 2e-4)
@@ -141,7 +210,7 @@ TEST(hagenPoiseuille, equalsFiniteDifferences)
     );
     for (double t : {0.05, 0.4, 10.0})
     {
-        const auto u = diffusion(200, 0.5, 0.1, 1.6, 0, 1, t);
+        const auto u = diffusion(200, 0.5, 0.1, steady(1.6), 0, 1, t);
         for (int i = 0; i <= 200; i += 20)
         {
             EXPECT_NEAR(flow.U({1, 9, i*0.0025}, t).y, u[i], 3e-5)

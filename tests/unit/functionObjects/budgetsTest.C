@@ -82,3 +82,31 @@ TEST(budgets, ofAUniformStateByHand)
     const std::string header = text.substr(0, text.find('\n'));
     EXPECT_EQ(std::count(header.begin(), header.end(), '\t'), 20);
 }
+
+
+//- Two kg at rest that a force pulls along: no potential but its work
+TEST(budgets, bookTheWorkOfAForceThatVaries)
+{
+    testRun run;
+    run.info.forceVaries = true;
+    hostState state = lattice(4, 3, 0);              // mass 2
+    const dictionary dict =
+        dictionary::fromString("functions { b { type budgets; } }");
+    functionObjectList list(dict, run.info);
+    list.start(state, run.info);
+    for (int n = 1; n <= 10; ++n)
+    {
+        // g = 3 t: U = 1.5 t^2, work = integral of 2 g U = 2.25 t^4
+        run.step(n);
+        const double t = run.info.time;
+        run.info.gravity = {0, 3*t, 0};
+        state.fluid.U.assign(state.fluid.size(), vector{0, 1.5*t*t, 0});
+        list.execute(state, run.info);
+    }
+    const auto rows = run.rows("b/0/budgets.dat");
+    ASSERT_EQ(rows.back().size(), 22u);
+    EXPECT_EQ(rows.back()[11], 0);                   // potential
+    EXPECT_NEAR(rows.back()[9], 2.25, 1e-9);         // kinetic
+    EXPECT_NEAR(rows.back()[21], 2.25, 0.025);       // work, trapezoidal
+    EXPECT_NEAR(rows.back()[20], 2.25 - rows.back()[21], 1e-9);
+}

@@ -88,7 +88,7 @@ scene piston(particleSchemes::search method)
     scene s{};
     s.space = columnDomain(40, 6, 1);
     s.fluid = publishedFluid(0.01);
-    s.fluid.g = {0.1, 0, 0};
+    s.fluid.g = vector{0.1, 0, 0};
     s.fluid.motions.resize(2);
     s.fluid.motions[0] = wallMotion::make(dictionary::fromString
     (

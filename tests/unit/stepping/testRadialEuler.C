@@ -119,7 +119,7 @@ void compare
     }
 
     fluidProperties fluid = publishedFluid(mu);
-    fluid.g = {0, D == 3 ? 0.003 : 0.001, 0};
+    fluid.g = vector{0, D == 3 ? 0.003 : 0.001, 0};
     if (gamma > 0)
     {
         fluid.eos = fluidProperties::state::Tait;
@@ -133,7 +133,7 @@ void compare
     for (int k = 0; k < 20; ++k)
     {
         solver->step(k*dt, dt);
-        plain.step(dt, mu, pressure, fluid.g);
+        plain.step(dt, mu, pressure, fluid.g.at(0));
     }
     solver->maintain();
     const hostState result = solver->download();

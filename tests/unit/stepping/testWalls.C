@@ -114,7 +114,7 @@ TEST(walls, restUnderGravityKeepsTheHydrostaticProfile)
     const domain d = columnDomain(32, 4, 1);
     fluidProperties fluid = publishedFluid(0.1);
     fluid.c = 10;
-    fluid.g = {-1, 0, 0};
+    fluid.g = vector{-1, 0, 0};
     fluid.motions.resize(2);
     hostState s = columnState(d);
     const auto exact = [](const vector& x)
