@@ -80,6 +80,19 @@ functionObjectList::functionObjectList
 }
 
 
+bool functionObjectList::needsLedger() const
+{
+    for (const auto& object : objects_)
+    {
+        if (object->needsLedger())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 void functionObjectList::start(const hostState& state, const runInfo& info)
 {
     for (const auto& object : objects_)

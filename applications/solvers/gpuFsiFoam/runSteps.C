@@ -35,6 +35,10 @@ public:
 
     void run()
     {
+        if (functions_.needsLedger())
+        {
+            solver_.keepLedger();
+        }
         if (!functions_.empty())
         {
             functions_.start(state(), report_.info());
