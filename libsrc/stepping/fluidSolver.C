@@ -64,6 +64,33 @@ static void checkCoupling
 }
 
 
+//- What looks at the neighbours of particles that other ranks own
+static void checkRanks(const particleSchemes& schemes, const solidScene* solids)
+{
+    if (schemes.method == particleSchemes::search::localUpdate)
+    {
+        throw userError
+        (
+            "On many ranks neighbours are found by cells, but "
+            "system/particleSchemes asks for localUpdate",
+            {},
+            "Set 'search cells' there."
+        );
+    }
+    using law = couplingProperties::law;
+    if (solids && solids->coupling.force == law::reaction)
+    {
+        throw userError
+        (
+            "The solids are to feel the reaction of the fluid's forces, which "
+            "needs one rank",
+            {},
+            "Set 'force surface' in constant/couplingProperties."
+        );
+    }
+}
+
+
 std::unique_ptr<fluidSolver> fluidSolver::make
 (
     const std::string& backend,
@@ -72,23 +99,34 @@ std::unique_ptr<fluidSolver> fluidSolver::make
     const fluidProperties& properties,
     const particleSchemes& schemes,
     hostState initial,
-    const solidScene* solids
+    const solidScene* solids,
+    const rankSetup* ranks
 )
 {
     checkPeriods(d);
     checkCoupling(schemes, solids);
+    if (ranks)
+    {
+        checkRanks(schemes, solids);
+#ifdef FSI_HAVE_CUDA
+        if (backend != "cpu" && cudaBackend::available())
+        {
+            cudaBackend::choose(ranks->ranks.rankOnNode());
+        }
+#endif
+    }
     if (useCuda(backend))
     {
 #ifdef FSI_HAVE_CUDA
         return newCudaSolver
         (
-            precision, d, properties, schemes, std::move(initial), solids
+            precision, d, properties, schemes, std::move(initial), solids, ranks
         );
 #endif
     }
     return newCpuSolver
     (
-        precision, d, properties, schemes, std::move(initial), solids
+        precision, d, properties, schemes, std::move(initial), solids, ranks
     );
 }
 

@@ -11,12 +11,13 @@ std::unique_ptr<fluidSolver> newCudaSolver
     const fluidProperties& properties,
     const particleSchemes& schemes,
     hostState&& s,
-    const solidScene* solids
+    const solidScene* solids,
+    const rankSetup* ranks
 )
 {
     return makeSolver<cudaBackend>
     (
-        precision, d, properties, schemes, std::move(s), solids
+        precision, d, properties, schemes, std::move(s), solids, ranks
     );
 }
 

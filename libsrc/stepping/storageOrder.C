@@ -51,9 +51,20 @@ std::vector<int> storageOrder(const hostState& s, const domain& d)
 }
 
 
-std::string describeBreakdown(const hostState& s, int id)
+std::string describeBreakdown
+(
+    const hostState& s,
+    int id,
+    std::size_t nWalls
+)
 {
-    const std::size_t i = id - s.walls.size();
+    std::size_t i = id - nWalls;
+    const std::size_t named = i;
+    if (s.partial)
+    {
+        i = std::lower_bound(s.fluidId.begin(), s.fluidId.end(), int(i))
+          - s.fluidId.begin();
+    }
     const vector& x = s.fluid.positions[i];
     const vector& u = s.fluid.U[i];
     const double rho = s.rho0 + s.fluid.deltaRho[i];
@@ -61,7 +72,7 @@ std::string describeBreakdown(const hostState& s, int id)
     return fmt::format
     (
         "fluid particle {} at ({:.9g} {:.9g} {:.9g}): field {} = {}",
-        i, x.x, x.y, x.z,
+        named, x.x, x.y, x.z,
         velocity ? "U" : "rho",
         velocity ? fmt::format("({} {} {})", u.x, u.y, u.z)
                  : fmt::format("{}", rho)
