@@ -13,9 +13,9 @@ namespace gpuFsi
 
 using stop = timeControls::stop;
 
-Time::Time(const std::filesystem::path& casePath)
+Time::Time(const std::filesystem::path& casePath, const timeGroup& ranks)
 :
-    impl_(std::make_shared<implementation>(casePath))
+    impl_(std::make_shared<implementation>(casePath, ranks))
 {}
 
 bool Time::run()
@@ -120,16 +120,22 @@ void Time::write
 )
 {
     const std::string name = timeName();
-    writeFolderAtomically
-    (
-        impl_->casePath,
-        name,
-        [&](const std::filesystem::path& folder)
-        {
-            body(folder);
-            impl_->state.write(folder, name);
-        }
-    );
+    const auto all = [&](const std::filesystem::path& folder)
+    {
+        body(folder);
+        impl_->state.write(folder, name);
+    };
+    if (impl_->ranks.many())
+    {
+        atomicFolder folder(impl_->timesPath, name);
+        impl_->ranks.agree([&] { folder.fill(all); });
+        impl_->ranks.agree([&] { folder.clear(); });
+        impl_->ranks.agree([&] { folder.publish(); });
+    }
+    else
+    {
+        writeFolderAtomically(impl_->timesPath, name, all);
+    }
     impl_->purge(name);
 }
 
@@ -141,7 +147,7 @@ void Time::writeAside
 {
     writeFolderAtomically
     (
-        impl_->casePath,
+        impl_->timesPath,
         name,
         [&](const std::filesystem::path& folder)
         {
@@ -203,7 +209,7 @@ const std::filesystem::path& Time::casePath() const
 
 std::filesystem::path Time::startPath() const
 {
-    return impl_->casePath/impl_->start.name;
+    return impl_->timesPath/impl_->start.name;
 }
 
 const dictionary& Time::controlDict() const

@@ -10,16 +10,8 @@ namespace gpuFsi
 
 namespace fs = std::filesystem;
 
-void writeFolderAtomically
-(
-    const fs::path& parent,
-    const std::string& name,
-    const std::function<void(const fs::path&)>& body
-)
+static void throwIfFile(const fs::path& target)
 {
-    const fs::path partial = parent/("." + name + ".partial");
-    const fs::path inside = partial/name;
-    const fs::path target = parent/name;
     if (fs::exists(target) && !fs::is_directory(target))
     {
         throw userError
@@ -30,37 +22,19 @@ void writeFolderAtomically
             "Move the file elsewhere and run again."
         );
     }
+}
+
+
+//- f, its file system errors as the user's
+template<class F>
+static void writing(const fs::path& target, const F& f)
+{
     try
     {
-        fs::remove_all(partial);    // of a run that was killed
-        fs::create_directories(inside);
-        body(inside);
-        if (!fs::exists(target))
-        {
-            fs::rename(inside, target);
-        }
-        else if
-        (
-            renameat2
-            (
-                AT_FDCWD,
-                inside.c_str(),
-                AT_FDCWD,
-                target.c_str(),
-                RENAME_EXCHANGE
-            ) != 0
-        )
-        {
-            // A file system that cannot exchange two folders
-            fs::rename(target, partial/"former");
-            fs::rename(inside, target);
-        }
-        fs::remove_all(partial);
+        f();
     }
     catch (const fs::filesystem_error& e)
     {
-        std::error_code ignored;
-        fs::remove_all(partial, ignored);
         throw userError
         (
             "Cannot write " + target.string() + ": " + e.code().message(),
@@ -68,11 +42,79 @@ void writeFolderAtomically
             "Check that there is space and that the case may be written to."
         );
     }
-    catch (...)
+}
+
+
+atomicFolder::atomicFolder(fs::path parent, std::string name)
+:
+    partial_(parent/("." + name + ".partial")),
+    inside_(partial_/name),
+    target_(parent/name)
+{}
+
+
+atomicFolder::~atomicFolder()
+{
+    std::error_code ignored;
+    fs::remove_all(partial_, ignored);
+}
+
+
+void atomicFolder::fill(const std::function<void(const fs::path&)>& body)
+{
+    throwIfFile(target_);
+    writing(target_, [&]
     {
-        std::error_code ignored;
-        fs::remove_all(partial, ignored);
-        throw;
+        fs::remove_all(partial_);    // of a run that was killed
+        fs::create_directories(inside_);
+        body(inside_);
+    });
+}
+
+
+void atomicFolder::clear()
+{
+    writing(target_, [&]
+    {
+        if (fs::exists(target_))
+        {
+            fs::rename(target_, partial_/"former");
+        }
+    });
+}
+
+
+void atomicFolder::publish()
+{
+    writing(target_, [&] { fs::rename(inside_, target_); });
+}
+
+
+//- Takes the name at once, where the file system can exchange two folders
+static bool exchanged(const fs::path& a, const fs::path& b)
+{
+    return renameat2
+    (
+        AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE
+    ) == 0;
+}
+
+
+void writeFolderAtomically
+(
+    const fs::path& parent,
+    const std::string& name,
+    const std::function<void(const fs::path&)>& body
+)
+{
+    const fs::path target = parent/name;
+    atomicFolder folder(parent, name);
+    folder.fill(body);
+    const fs::path inside = parent/("." + name + ".partial")/name;
+    if (!fs::exists(target) || !exchanged(inside, target))
+    {
+        folder.clear();
+        folder.publish();
     }
 }
 

@@ -10,9 +10,15 @@ namespace gpuFsi
 
 using writing = timeControls::writing;
 
-Time::implementation::implementation(const std::filesystem::path& path)
+Time::implementation::implementation
+(
+    const std::filesystem::path& path,
+    const timeGroup& group
+)
 :
     casePath(path),
+    ranks(group),
+    timesPath(group.directory.empty() ? path : group.directory),
     controlFile(path/"system/controlDict"),
     controlDict(dictionary::fromFile(controlFile)),
     controlVersion(controlFile),
@@ -20,7 +26,7 @@ Time::implementation::implementation(const std::filesystem::path& path)
     signals(controls.writeNowSignal, controls.stopAtWriteNowSignal),
     start(findStart())
 {
-    state = timeState::read(casePath/start.name, start.value, controls);
+    state = timeState::read(timesPath/start.name, start.value, controls);
     startTime = state.value;
     startIndex = state.index;
     endTime = controls.endTime;
@@ -37,7 +43,18 @@ Time::implementation::implementation(const std::filesystem::path& path)
 
 instant Time::implementation::findStart() const
 {
-    const std::vector<instant> times = findTimes(casePath);
+    const std::vector<instant> times =
+        ranks.times ? ranks.times() : findTimes(casePath);
+    if (times.empty() && ranks.many())
+    {
+        throw userError
+        (
+            "No time is complete in all processor directories of "
+          + casePath.string(),
+            {controlFile.string()},
+            "Run decomposeParticles first."
+        );
+    }
     if (times.empty())
     {
         throw userError
@@ -98,7 +115,10 @@ void Time::implementation::setWriteInterval()
 
 void Time::implementation::readModified()
 {
-    if (!controls.runTimeModifiable || !controlVersion.changed())
+    const bool changed =
+        ranks.many() ? controlsChanged : controlVersion.changed();
+    controlsChanged = false;
+    if (!controls.runTimeModifiable || !changed)
     {
         return;
     }
@@ -148,6 +168,10 @@ bool Time::implementation::isWriteTime()
         last = std::max(last, now);
         return next;
     };
+    if (countsClock() && !ranks.master)
+    {
+        return false;
+    }
     const double interval = controls.writeInterval;
     switch (controls.writeControl)
     {
@@ -166,6 +190,12 @@ bool Time::implementation::isWriteTime()
     return false;
 }
 
+bool Time::implementation::countsClock() const
+{
+    return controls.writeControl == writing::clockTime
+        || controls.writeControl == writing::cpuTime;
+}
+
 void Time::implementation::takeSignals()
 {
     if (signalsTaken)
@@ -173,12 +203,23 @@ void Time::implementation::takeSignals()
         return;
     }
     signalsTaken = true;
-    if (signalWatch::takeWriteNow())
+    enum : std::uint64_t { now = 1, stop = 2, changed = 4, clock = 8 };
+    std::uint64_t asked = signalWatch::takeWriteNow() ? now : 0;
+    asked |= signalWatch::takeStop() ? stop : 0;
+    if (ranks.many() && ranks.master)
+    {
+        asked |= controlVersion.changed() ? changed : 0;
+        asked |= writeTime && countsClock() ? clock : 0;
+    }
+    asked = ranks.either(asked);
+    controlsChanged = asked & changed;
+    writeTime = writeTime || (asked & clock);
+    if (asked & now)
     {
         info("Signal: writing time {}", timeNameNow());
         writeTime = true;
     }
-    if (signalWatch::takeStop())
+    if (asked & stop)
     {
         info("Signal: writing time {} and stopping", timeNameNow());
         writeTime = true;
@@ -233,7 +274,7 @@ void Time::implementation::purge(const std::string& justWritten)
     while (written.size() > std::size_t(controls.purgeWrite))
     {
         std::error_code failed;
-        std::filesystem::remove_all(casePath/written.front(), failed);
+        std::filesystem::remove_all(timesPath/written.front(), failed);
         if (failed)
         {
             warning

@@ -2,6 +2,8 @@
 
 #include "particles/needField.H"
 
+#include <numeric>
+
 namespace gpuFsi
 {
 
@@ -65,10 +67,11 @@ std::size_t writeSolidSet
 (
     const fs::path& time,
     const solidSet& s,
+    bool withIds,
     const writeOptions& options
 )
 {
-    if (s.size() == 0)
+    if (s.size() == 0 && !(withIds && !s.names.empty()))
     {
         return 0;
     }
@@ -89,6 +92,12 @@ std::size_t writeSolidSet
         c.addLabel("brokenBonds", {s.broken.begin(), s.broken.end()});
     }
     c.addLabel("solid", {s.solid.begin(), s.solid.end()});
+    if (withIds)
+    {
+        std::vector<double> ids(s.size());
+        std::iota(ids.begin(), ids.end(), 0);
+        c.addLabel("origId", std::move(ids));
+    }
     // A place that is rounded would be a strain
     writeOptions exact = options;
     exact.precision = 17;

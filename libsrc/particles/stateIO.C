@@ -147,7 +147,7 @@ static std::vector<int> nodesOf
 }
 
 
-hostState readState(const fs::path& time, const domain& d, double rho0)
+static hostState emptyState(const domain& d, double rho0)
 {
     hostState s;
     s.dimensions = d.dimensions;
@@ -155,33 +155,54 @@ hostState readState(const fs::path& time, const domain& d, double rho0)
     s.rho0 = rho0;
     s.volume = d.volume;
     s.wallNames = d.walls;
+    return s;
+}
 
-    s.solid = readSolidSet(time, d);
-    if (!d.hasFluid())
+
+static std::vector<int> idsOf(const cloud& c, const fs::path& time)
+{
+    const std::vector<double>& ids =
+        needField(c, "origId", "labelField", time).values;
+    for (std::size_t i = 1; i < ids.size(); ++i)
     {
-        return s;
+        if (!(ids[i] > ids[i - 1]))
+        {
+            throw userError
+            (
+                fmt::format("Id {} follows {}", ids[i], ids[i - 1]),
+                {(time/"lagrangian"/c.name/"origId").string()},
+                "Ids must ascend. Decompose the case again."
+            );
+        }
     }
-    const cloud fluid = readCloud(time, "fluid");
-    s.fluid = readSet(fluid, rho0, time);
-    if (s.fluid.size() == 0)
-    {
-        throw userError
-        (
-            "There is no fluid particle",
-            {(time/"lagrangian/fluid/positions").string()},
-            "Seed the case with a smaller spacing."
-        );
-    }
+    return {ids.begin(), ids.end()};
+}
+
+
+static void readFluid
+(
+    hostState& s,
+    const cloud& fluid,
+    const fs::path& time,
+    const domain& d
+)
+{
+    s.fluid = readSet(fluid, s.rho0, time);
     s.fluid.mass = needField(fluid, "m", "scalarField", time).values;
     checkPositive(s.fluid.mass, "m", time/"lagrangian/fluid/m");
     checkInside(s.fluid, d, time/"lagrangian/fluid/positions");
+}
 
-    if (d.walls.empty())
-    {
-        return s;
-    }
-    const cloud walls = readCloud(time, "walls");
-    s.walls = readSet(walls, rho0, time);
+
+static void readWalls
+(
+    hostState& s,
+    const cloud& walls,
+    const fs::path& time,
+    const domain& d
+)
+{
+    s.walls = readSet(walls, s.rho0, time);
     s.normals = vectorsOf(needField(walls, "normal", "vectorField", time));
     s.area = needField(walls, "area", "scalarField", time).values;
     const cloudField* reference = walls.find("referencePosition");
@@ -207,6 +228,59 @@ hostState readState(const fs::path& time, const domain& d, double rho0)
     if (!d.solids.empty())
     {
         s.wallNode = nodesOf(walls, s.solid.size(), time);
+    }
+}
+
+
+hostState readState(const fs::path& time, const domain& d, double rho0)
+{
+    hostState s = emptyState(d, rho0);
+    s.solid = readSolidSet(time, d);
+    if (!d.hasFluid())
+    {
+        return s;
+    }
+    readFluid(s, readCloud(time, "fluid"), time, d);
+    if (s.fluid.size() == 0)
+    {
+        throw userError
+        (
+            "There is no fluid particle",
+            {(time/"lagrangian/fluid/positions").string()},
+            "Seed the case with a smaller spacing."
+        );
+    }
+    if (!d.walls.empty())
+    {
+        readWalls(s, readCloud(time, "walls"), time, d);
+    }
+    return s;
+}
+
+
+hostState readPart
+(
+    const fs::path& time,
+    const fs::path& solidsTime,
+    const domain& d,
+    double rho0
+)
+{
+    hostState s = emptyState(d, rho0);
+    s.partial = true;
+    s.solid = readSolidSet(solidsTime, d);
+    if (!d.hasFluid())
+    {
+        return s;
+    }
+    const cloud fluid = readCloud(time, "fluid");
+    readFluid(s, fluid, time, d);
+    s.fluidId = idsOf(fluid, time);
+    if (!d.walls.empty())
+    {
+        const cloud walls = readCloud(time, "walls");
+        readWalls(s, walls, time, d);
+        s.wallId = idsOf(walls, time);
     }
     return s;
 }
@@ -234,6 +308,15 @@ static cloud toCloud
 }
 
 
+static void addIds(cloud& c, bool partial, const std::vector<int>& ids)
+{
+    if (partial)
+    {
+        c.addLabel("origId", {ids.begin(), ids.end()});
+    }
+}
+
+
 std::size_t writeState
 (
     const fs::path& time,
@@ -242,8 +325,9 @@ std::size_t writeState
     const writeOptions& options
 )
 {
-    std::size_t bytes = writeSolidSet(time, s.solid, options);
-    if (s.fluid.size() == 0)
+    std::size_t bytes = writeSolidSet(time, s.solid, s.partial, options);
+    const bool noFluid = s.partial ? s.volume == 0 : s.fluid.size() == 0;
+    if (noFluid)
     {
         return bytes;
     }
@@ -255,6 +339,7 @@ std::size_t writeState
         p[i] = pressure(s.rho0 + s.fluid.deltaRho[i]);
     }
     fluid.addScalar("p", std::move(p));
+    addIds(fluid, s.partial, s.fluidId);
     bytes += writeCloud(time, fluid, options);
 
     if (!s.wallNames.empty())
@@ -268,6 +353,7 @@ std::size_t writeState
         {
             walls.addLabel("node", {s.wallNode.begin(), s.wallNode.end()});
         }
+        addIds(walls, s.partial, s.wallId);
         bytes += writeCloud(time, walls, options);
     }
     return bytes;

@@ -2,60 +2,60 @@
 // elastic solids as damped springs.
 //
 // Usage: gpuFsiFoam [-case DIR] [-noFunctionObjects]
+//        mpirun -np N gpuFsiFoam -parallel [...]    after decomposeParticles
 // Reads  constant/{domain,fluidProperties[,g][,wallProperties]}, with elastic
 //        solids constant/{solid,solidProperties[,couplingProperties]},
 //        system/{controlDict,particleSchemes}, the start time's clouds.
 
 #include "base/log.H"
 #include "case/argList.H"
-#include "case/Time.H"
 #include "functionObjects/functionObjectList.H"
-#include "particles/stateIO.H"
-#include "runControls.H"
+#include "parallel/parallelMain.H"
 #include "runReport.H"
 #include "runSteps.H"
+#include "scene.H"
 
 using namespace gpuFsi;
 
-static int solve(int argc, char** argv)
+static int solve(const communicator& ranks, int argc, char** argv)
 {
-    const argList args
+    std::unique_ptr<argList> args;
+    ranks.agree([&]
+    {
+        args = std::make_unique<argList>
+        (
+            argc, argv,
+            "Solve the flow of a seeded case.",
+            std::vector<argList::option>
+            {
+                {"parallel", "", "one rank of those that mpirun started"},
+                {"noFunctionObjects", "", "leave out controlDict's functions"}
+            }
+        );
+    });
+    printBanner
     (
-        argc, argv,
-        "Solve the flow of a seeded case.",
-        {{"noFunctionObjects", "", "leave out controlDict's functions"}}
+        args->commandLine(), args->casePath().string(), ranks.size()
     );
-    printBanner(args.commandLine(), args.casePath().string());
 
     info("Create time\n");
-    Time runTime(args.casePath());
-    const runControls controls(runTime.controlDict());
-    const domain space = domain::read(args.casePath());
-    const fluidProperties fluid =
-        fluidProperties::read(args.casePath(), space);
-    const particleSchemes schemes =
-        particleSchemes::read(args.casePath(), space);
-    const std::unique_ptr<solidScene> solids =
-        solidScene::read(args.casePath(), space);
-    hostState initial = readState(runTime.startPath(), space, fluid.rho0);
-    initial.time = runTime.value();
-
-    const std::unique_ptr<fluidSolver> solver = fluidSolver::make
-    (
-        controls.backend, controls.precision, space, fluid, schemes,
-        std::move(initial), solids.get()
-    );
-    runReport report(runTime, space, fluid, schemes, *solver);
+    const scene s(ranks, args->casePath());
+    Time& runTime = *s.time;
+    const std::unique_ptr<fluidSolver> solver = s.newSolver();
+    runReport report(runTime, s.space, s.fluid, s.schemes, *solver);
     functionObjectList functions
     (
         runTime.controlDict(), report.info(),
-        !args.found("noFunctionObjects")
+        !args->found("noFunctionObjects")
     );
     runTime.controlDict().warnUnread();
     report.printScene();
 
     info("Starting time loop\n");
-    runSteps(runTime, controls, fluid, *solver, functions, report);
+    runSteps
+    (
+        runTime, *s.controls, s.fluid, *solver, functions, report, ranks
+    );
 
     report.printEnd();
     info("End\n");
@@ -64,5 +64,8 @@ static int solve(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-    return runMain("gpuFsiFoam", [&] { return solve(argc, argv); });
+    return runParallelMain("gpuFsiFoam", argc, argv, [&](const communicator& r)
+    {
+        return solve(r, argc, argv);
+    });
 }

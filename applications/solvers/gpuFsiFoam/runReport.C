@@ -58,6 +58,10 @@ void runReport::printScene() const
         gpuFsi::info("Solids      : {}",
             solver_.describeSolids(time_.deltaT()));
     }
+    if (const std::string ranks = solver_.describeRanks(); !ranks.empty())
+    {
+        gpuFsi::info("Ranks       : {}", ranks);
+    }
     gpuFsi::info("Terms       : {}", solver_.terms());
     gpuFsi::info("Memory      : {:.1f} MB, {:.1f} bytes per particle\n",
         solver_.bytes()/1e6, double(solver_.bytes())/n);
@@ -140,6 +144,10 @@ void runReport::printEnd()
     line("function objects", functionSeconds_);
     line("writing", writeSeconds_);
     gpuFsi::info("Neighbour refreshes = {}", solver_.nRefreshes());
+    if (const std::string ranks = solver_.describeRanks(); !ranks.empty())
+    {
+        gpuFsi::info("Ranks = {}", ranks);
+    }
     if (solver_.nFallbacks() > 0)
     {
         gpuFsi::info("Area weights fell back to first order {} times",

@@ -1,5 +1,6 @@
 #include "runSteps.H"
 
+#include "parallel/rankState.H"
 #include "particles/stateIO.H"
 
 #include <algorithm>
@@ -22,7 +23,8 @@ public:
         const fluidProperties& fluid,
         fluidSolver& solver,
         functionObjectList& functions,
-        runReport& report
+        runReport& report,
+        const communicator& ranks
     )
     :
         time_(time),
@@ -30,7 +32,8 @@ public:
         fluid_(fluid),
         solver_(solver),
         functions_(functions),
-        report_(report)
+        report_(report),
+        ranks_(ranks)
     {}
 
     void run()
@@ -41,7 +44,8 @@ public:
         }
         if (!functions_.empty())
         {
-            functions_.start(state(), report_.info());
+            const hostState whole = wholeState();
+            onMaster([&] { functions_.start(whole, report_.info()); });
         }
         while (time_.run())
         {
@@ -59,7 +63,15 @@ public:
     void writeInto(const std::filesystem::path& directory)
     {
         const auto pressure = [&](double rho) { return fluid_.pressure(rho); };
-        writeState(directory, state(), pressure, time_.writing());
+        hostState s = state();
+        if (s.partial && !ranks_.master())
+        {
+            // Whole on every rank: one writes them
+            static_cast<hostSolid&>(s.solid) = {};
+            s.solid.reference.clear();
+            s.solid.solid.clear();
+        }
+        writeState(directory, s, pressure, time_.writing());
     }
 
 private:
@@ -85,11 +97,12 @@ private:
 
     void observe()
     {
-        if (functions_.due(report_.info()))
+        if (!functions_.empty() && due())
         {
             solver_.monitor();
             const double begin = time_.clockSeconds();
-            functions_.execute(state(), report_.info());
+            const hostState whole = wholeState();
+            onMaster([&] { functions_.execute(whole, report_.info()); });
             report_.addFunctionSeconds(time_.clockSeconds() - begin);
         }
     }
@@ -116,6 +129,30 @@ private:
         }
     }
 
+    //- Only the master's objects count what they have done
+    bool due()
+    {
+        return ranks_.any(ranks_.master() && functions_.due(report_.info()));
+    }
+
+    void onMaster(const std::function<void()>& f)
+    {
+        ranks_.agree([&]
+        {
+            if (ranks_.master())
+            {
+                f();
+            }
+        });
+    }
+
+    //- Of all ranks, on the master
+    hostState wholeState() const
+    {
+        hostState s = state();
+        return s.partial ? gatherState(ranks_, std::move(s)) : s;
+    }
+
     hostState state() const
     {
         hostState s = solver_.download();
@@ -129,6 +166,7 @@ private:
     fluidSolver& solver_;
     functionObjectList& functions_;
     runReport& report_;
+    const communicator& ranks_;
 };
 
 } // namespace
@@ -141,16 +179,21 @@ void runSteps
     const fluidProperties& fluid,
     fluidSolver& solver,
     functionObjectList& functions,
-    runReport& report
+    runReport& report,
+    const communicator& ranks
 )
 {
-    timeLoop loop(time, controls, fluid, solver, functions, report);
+    timeLoop loop(time, controls, fluid, solver, functions, report, ranks);
     try
     {
         loop.run();
     }
     catch (const brokenState& e)
     {
+        if (ranks.parallel())
+        {
+            throw;    // of the solids, on every rank alike
+        }
         const std::string folder = "broken_" + time.timeName(e.time);
         time.writeAside
         (
