@@ -13,9 +13,9 @@ namespace gpuFsi
 
 namespace fs = std::filesystem;
 
-//- Of the longest number, without leading zeros and exponents; 1 to 17. The size
-//  of the list, before its parenthesis, is none of the values: one digit too
-//  many would print 1e+06 as 1000000.
+//- Of the longest number, without leading zeros and exponents; 1 to 17. The
+//  size of the list, before its parenthesis, is none of the values: one digit
+//  too many would print 1e+06 as 1000000.
 static int significantDigits(std::string_view text)
 {
     const std::size_t list = text.find_first_of("({");
