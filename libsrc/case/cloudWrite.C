@@ -172,11 +172,23 @@ std::size_t writeCloudProperties
     );
 }
 
-bool allEqual(const std::vector<double>& values, int n)
+//- Decided by what is printed: so a file that is read and written again stays
+//  the same, though values that differ in later digits have become equal
+bool allPrintAlike(const std::vector<double>& values, int n, int digits)
 {
+    char first[maxNumberLength], other[maxNumberLength];
     for (std::size_t i = n; i < values.size(); ++i)
     {
-        if (std::memcmp(&values[i], &values[i - n], sizeof(double)) != 0)
+        if (std::memcmp(&values[i], &values[i % n], sizeof(double)) == 0)
+        {
+            continue;
+        }
+        const std::size_t length = print(first, values[i % n], digits) - first;
+        if
+        (
+            std::size_t(print(other, values[i], digits) - other) != length
+         || std::memcmp(first, other, length) != 0
+        )
         {
             return false;
         }
@@ -206,7 +218,7 @@ void appendAscii
         });
     };
     out.append(std::to_string(size));
-    if (size > 1 && allEqual(field.values, n))
+    if (size > 1 && allPrintAlike(field.values, n, digits))
     {
         out.append("{");
         appendOne(0, "}\n");

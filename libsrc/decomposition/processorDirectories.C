@@ -92,21 +92,23 @@ int nProcessors(const fs::path& casePath)
                 remedy
             );
         }
-        const int wanted = decompositionRecord::read(p).numberOfSubdomains;
-        if (wanted > 0 && wanted != found)
-        {
-            throw userError
+    }
+    // A last directory that is missing leaves no gap
+    const fs::path first = processorPath(casePath, 0);
+    const int wanted = decompositionRecord::read(first).numberOfSubdomains;
+    if (wanted > 0 && wanted != found)
+    {
+        throw userError
+        (
+            fmt::format
             (
-                fmt::format
-                (
-                    "There are {} processor directories in {}, but the case"
-                    " was decomposed for {}",
-                    found, casePath.string(), wanted
-                ),
-                {(p/"constant/decomposition").string()},
-                remedy
-            );
-        }
+                "There are {} processor directories in {}, but the case was"
+                " decomposed for {}",
+                found, casePath.string(), wanted
+            ),
+            {(first/"constant/decomposition").string()},
+            remedy
+        );
     }
     return found;
 }

@@ -87,7 +87,7 @@ std::size_t writeSolidSet
     c.addScalar("vonMises", s.vonMises);
     addTensor(c, "stress", s.stress);
     addTensor(c, "strain", s.strain);
-    if (!s.broken.empty())
+    if (s.bondsBreak)
     {
         c.addLabel("brokenBonds", {s.broken.begin(), s.broken.end()});
     }

@@ -349,7 +349,7 @@ std::size_t writeState
         walls.addScalar("area", s.area);
         walls.addVector("referencePosition", s.wallReference);
         walls.addLabel("patch", {s.patch.begin(), s.patch.end()});
-        if (!s.wallNode.empty())
+        if (!s.solid.names.empty() || !s.wallNode.empty())
         {
             walls.addLabel("node", {s.wallNode.begin(), s.wallNode.end()});
         }

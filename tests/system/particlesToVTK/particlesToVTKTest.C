@@ -252,6 +252,19 @@ TEST_F(particlesToVTK, decomposedCaseGivesPieces)
     ASSERT_EQ(run(""), 0) << log_;
     EXPECT_TRUE(fs::exists(out/"fluid_40.vtp"));
     EXPECT_FALSE(fs::exists(case_/"VTK/processor0"));
+
+    // The pieces all the same, where they are asked for
+    ASSERT_EQ(run("-decomposed -latestTime"), 0) << log_;
+    EXPECT_EQ
+    (
+        readBack<vtkXMLPPolyDataReader>
+        (
+            out/"fluid_40.pvtp"
+        )->GetNumberOfPoints(),
+        7
+    );
+    const std::string picture = (case_/"a.png").string();
+    EXPECT_EQ(run("-decomposed -image " + picture), 0) << log_;
 }
 
 
@@ -290,6 +303,7 @@ TEST_F(particlesToVTK, mistakesAreNamed)
     writeSerial();
     const std::string image = "-image " + (case_/"a.png").string() + ' ';
     expectError("-cloud steel", "solid");
+    expectError("-decomposed", "Leave -decomposed out");
     expectError("-fields '(U rho)'", "rho");
     expectError("-fields '()'", "list of names");
     expectError("-time 3", "0.5");

@@ -103,7 +103,10 @@ std::vector<std::string> systemCase::words
     std::vector<std::string> list
     {
         program == app::seedParticles ? SEED_PARTICLES
-      : program == app::gpuFsiFoam ? GPU_FSI_FOAM : PARTICLES_TO_VTK
+      : program == app::gpuFsiFoam ? GPU_FSI_FOAM
+      : program == app::decomposeParticles ? DECOMPOSE_PARTICLES
+      : program == app::reconstructParticles ? RECONSTRUCT_PARTICLES
+      : PARTICLES_TO_VTK
     };
     if (std::find(options.begin(), options.end(), "-case") == options.end())
     {

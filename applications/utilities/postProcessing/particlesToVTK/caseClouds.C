@@ -2,6 +2,7 @@
 
 #include "base/error.H"
 #include "base/log.H"
+#include "decomposition/processorDirectories.H"
 #include "dictionary/dictionary.H"
 
 #include <algorithm>
@@ -12,89 +13,78 @@ namespace gpuFsi
 
 namespace fs = std::filesystem;
 
-//- processor0 ... processorN-1, empty without any
-static std::vector<std::string> findRanks(const fs::path& casePath)
+//- Those times with a cloud on one of the ranks at least
+static std::vector<instant> withClouds
+(
+    const fs::path& casePath,
+    const std::vector<std::string>& ranks,
+    const std::vector<instant>& times
+)
 {
-    std::size_t found = 0;
-    for (const auto& entry : fs::directory_iterator(casePath))
+    std::vector<instant> some;
+    for (const instant& time : times)
     {
-        const std::string name = entry.path().filename().string();
-        const bool numbered = name.size() > 9
-            && name.compare(0, 9, "processor") == 0
-            && name.find_first_not_of("0123456789", 9) == std::string::npos;
-        found += entry.is_directory() && numbered;
-    }
-    std::vector<std::string> ranks;
-    for (std::size_t r = 0; r < found; ++r)
-    {
-        ranks.push_back("processor" + std::to_string(r));
-        if (!fs::is_directory(casePath/ranks.back()))
+        for (const std::string& rank : ranks)
         {
-            throw userError
-            (
-                "There are " + std::to_string(found) + " processor"
-                " directories in " + casePath.string() + ", but no "
-              + ranks.back(),
-                {},
-                "Decompose the case again, or remove the processor directories"
-            );
+            if (!cloudNames(casePath/rank/time.name).empty())
+            {
+                some.push_back(time);
+                break;
+            }
         }
     }
-    return ranks;
+    return some;
 }
 
 
-//- Times that every rank has, with a cloud on one of them at least
-static std::vector<instant> timesOf
+//- Times that every rank has; warns of the others
+static std::vector<instant> timesOfRanks
 (
     const fs::path& casePath,
     const std::vector<std::string>& ranks
 )
 {
-    std::vector<instant> times;
-    if (ranks.empty())
+    for (const incompleteTime& t : incompleteTimes(casePath))
     {
-        return times;
+        warning
+        (
+            "Time " + t.time.name + " is left out: only "
+          + std::to_string(t.nProcessors) + " of "
+          + std::to_string(ranks.size()) + " processors have it"
+        );
     }
-    for (const instant& time : findTimes(casePath/ranks.front()))
-    {
-        std::size_t having = 0;
-        bool any = false;
-        for (const std::string& rank : ranks)
-        {
-            const fs::path folder = casePath/rank/time.name;
-            having += fs::is_directory(folder);
-            any = any || !cloudNames(folder).empty();
-        }
-        if (having < ranks.size())
-        {
-            warning
-            (
-                "Time " + time.name + " is left out: only "
-              + std::to_string(having) + " of " + std::to_string(ranks.size())
-              + " processors have it"
-            );
-        }
-        else if (any)
-        {
-            times.push_back(time);
-        }
-    }
-    return times;
+    return withClouds(casePath, ranks, completeTimes(casePath));
 }
 
 
-caseClouds::caseClouds(const fs::path& casePath)
+caseClouds::caseClouds(const fs::path& casePath, bool decomposed)
 :
     casePath_(casePath),
-    times_(timesOf(casePath, ranks_))
+    times_(withClouds(casePath, ranks_, findTimes(casePath)))
 {
-    const std::vector<std::string> ranks = findRanks(casePath);
-    const std::vector<instant> pieces = timesOf(casePath, ranks);
+    std::vector<std::string> ranks;
+    for (int r = 0; r < nProcessors(casePath); ++r)
+    {
+        ranks.push_back("processor" + std::to_string(r));
+    }
+    const std::vector<instant> pieces = timesOfRanks(casePath, ranks);
+    if (decomposed && pieces.empty())
+    {
+        throw userError
+        (
+            "There is no time that all processor directories have, with a"
+            " cloud, in " + casePath.string(),
+            {},
+            "Leave -decomposed out, or run decomposeParticles first"
+        );
+    }
     if
     (
         !pieces.empty()
-     && (times_.empty() || pieces.back().value > times_.back().value)
+     && (
+            decomposed || times_.empty()
+         || pieces.back().value > times_.back().value
+        )
     )
     {
         decomposed_ = true;

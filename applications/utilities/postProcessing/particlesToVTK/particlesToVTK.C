@@ -21,6 +21,8 @@ static std::vector<argList::option> arguments()
         {"float", "", "32-bit numbers: half the size"},
         {"ascii", "", "readable files"},
         {"compress", "", "smaller files, slower to write"},
+        {"decomposed", "", "from the processor directories; default: where"
+            " these have the latest time"},
         {"image", "file.png", "paint a picture instead; options below"}
     };
     for (const argList::option& option : pictureArguments())
@@ -39,7 +41,8 @@ static void checkCompanions(const argList& args)
     if (paints)
     {
         ignored = arguments();
-        ignored.resize(ignored.size() - pictureArguments().size() - 1);
+        // -decomposed and what follows it
+        ignored.resize(ignored.size() - pictureArguments().size() - 2);
     }
     for (const argList::option& option : ignored)
     {
@@ -73,7 +76,10 @@ int main(int argc, char** argv)
             );
             checkCompanions(args);
             printBanner(args.commandLine(), args.casePath().string());
-            const caseClouds source(args.casePath());
+            const caseClouds source
+            (
+                args.casePath(), args.found("decomposed")
+            );
             if (args.found("image"))
             {
                 render(source, args);
