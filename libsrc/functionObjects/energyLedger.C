@@ -88,7 +88,10 @@ struct balance
     double body() const { return fluid.body + solid.gravity; }
 
     //- All boundaries on the fluid, as walls and solids have it
-    double atSurfaces() const { return fluid.walls - solid.fluid; }
+    double atSurfaces() const
+    {
+        return fluid.walls - solid.fluid - fluid.couplingLag;
+    }
 
     double interfaceError() const { return fluid.boundary - atSurfaces(); }
 
@@ -98,7 +101,7 @@ struct balance
         return body() + fluid.walls + solid.driven + solid.loads
           + fluid.shifting + fluid.staggering
           - fluid.viscousLoss - fluid.momentumLoss - fluid.densityLoss
-          - solid.dissipated;
+          - solid.dissipated - fluid.couplingLag;
     }
 
     //- Largest change of one energy, or work, since `first`
@@ -160,7 +163,8 @@ public:
                 "{}: kept = {:.4e} lost = {:.4e} residual = {:.2e}, {:.2f}% of "
                 "the largest energy exchanged", name(), b.kept(),
                 b.fluid.viscousLoss + b.fluid.momentumLoss
-              + b.fluid.densityLoss + b.solid.dissipated,
+              + b.fluid.densityLoss + b.fluid.couplingLag
+              + b.solid.dissipated,
                 residual, 100*share
             );
         }
@@ -176,7 +180,7 @@ private:
             {
                 b.fluidKinetic, b.fluidInternal, b.solid.kinetic,
                 b.solid.elastic, f.viscousLoss, f.momentumLoss, f.densityLoss,
-                b.solid.dissipated, f.shifting, f.staggering, b.body(),
+                b.solid.dissipated, f.couplingLag, f.shifting, f.staggering, b.body(),
                 f.walls, b.solid.driven, b.solid.loads,
                 residual, exchanged_, share,
                 f.boundary, b.atSurfaces(), b.interfaceError(),
@@ -200,7 +204,7 @@ private:
         (
             "# Time\tfluidKinetic\tfluidInternal\tsolidKinetic\tsolidElastic"
             "\tviscousLoss\tmomentumLoss\tdensityLoss\tsolidLoss"
-            "\tshifting\tstaggering\tworkOfBodyForce\tworkOfWalls"
+            "\tcouplingLag\tshifting\tstaggering\tworkOfBodyForce\tworkOfWalls"
             "\tworkOfDrives\tworkOfLoads"
             "\tresidual\texchanged\tshare"
             "\tboundariesByFluid\tboundariesBySurfaces\tinterfaceError"

@@ -206,3 +206,71 @@ TEST(functionsOfSolids, refuseACaseWithout)
         expectIn("Seed solids", message);
     }
 }
+
+
+//- Every column by hand; the residual is what no term has
+TEST(energyLedger, sharesOutTheEnergy)
+{
+    testRun run;
+    hostState state = twoSolids();
+    state.works.kept = true;
+    state.solid.mass = {1, 1, 1};
+    const dictionary dict =
+        dictionary::fromString("functions { e { type energyLedger; } }");
+    functionObjectList list(dict, run.info);
+    EXPECT_TRUE(list.needsLedger());
+    list.start(state, run.info);
+    EXPECT_TRUE(dict.unread().empty());
+
+    solidEnergies& s = state.solid.energies;
+    s.kinetic = 4;
+    s.elastic = 3;
+    s.dissipated = 0.5;
+    s.gravity = 1;
+    s.loads = 2;
+    s.driven = 0.25;
+    s.fluid = 6;
+    fluidWorks& f = state.works;
+    f.boundary = 3.5;
+    f.viscousLoss = 0.125;
+    f.momentumLoss = 0.25;
+    f.densityLoss = 0.5;
+    f.shifting = 0.0625;
+    f.body = 2;
+    f.staggering = 0.1;
+    f.walls = 10;
+    f.couplingLag = 0.75;
+    f.faceForce = {1, 2, 3};
+    for (vector& u : state.fluid.U)
+    {
+        u = {0, 3, 0};                     // mass 2
+    }
+    run.step(1);
+    list.execute(state, run.info);
+    const auto rows = run.rows("e/0/energyLedger.dat");
+    ASSERT_EQ(rows.size(), 2u);
+    const double works = 3 + 10 + 0.25 + 2 + 0.0625 + 0.1;
+    const double losses = 0.125 + 0.25 + 0.5 + 0.5 + 0.75;
+    const double residual = 9 + 4 + 3 - (works - losses);
+    const double surfaces = 10 - 6 - 0.75;
+    expectRow
+    (
+        rows[1],
+        {
+            0.1, 9, 0, 4, 3, 0.125, 0.25, 0.5, 0.5, 0.75, 0.0625, 0.1, 3,
+            10, 0.25, 2, residual, 10, residual/10,
+            3.5, surfaces, 3.5 - surfaces, 1, 2, 3,
+            1.5, 1, 7, -2, 6 - 1, 0
+        }
+    );
+}
+
+
+//- Nothing else asks for the ledger
+TEST(energyLedger, isNotKeptForOthers)
+{
+    testRun run;
+    const dictionary dict =
+        dictionary::fromString("functions { e { type solidEnergy; } }");
+    EXPECT_FALSE(functionObjectList(dict, run.info).needsLedger());
+}
