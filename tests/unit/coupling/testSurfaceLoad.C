@@ -111,3 +111,33 @@ TEST(surfaceLoad, aSceneWithoutSolidsPaysNothing)
        /(s.state.fluid.size() + s.state.walls.size());
     EXPECT_LT(perParticle, 200);
 }
+
+
+//- Nor what ties solids to fluid, where no wall is theirs: they step as alone
+TEST(surfaceLoad, aSolidThatNoFluidMeetsPaysNothing)
+{
+    barColumn s;
+    s.solids.properties.g = vector{0.1, 0, 0};
+    const auto wet = s.solver();
+    s.state.wallNode.assign(s.state.walls.size(), -1);
+    const auto dry = s.solver();
+    EXPECT_GE(wet->bytes(), dry->bytes() + 88*s.solids.mesh.size());
+
+    const auto alone =
+        elasticSolver::make("cpu", s.solids.mesh, s.solids.properties);
+    for (int k = 0; k < 20; ++k)
+    {
+        dry->step(0.01*k, 0.01);
+        alone->advance(0.01*k, 0.01);
+    }
+    const hostState a = dry->download();
+    const hostSolid b = alone->download();
+    EXPECT_GT(b.positions[0].x, 1.001);
+    for (std::size_t i = 0; i < s.solids.mesh.size(); ++i)
+    {
+        EXPECT_EQ(a.solid.positions[i].x, b.positions[i].x);
+        EXPECT_EQ(a.solid.U[i].x, b.U[i].x);
+        EXPECT_EQ(a.solid.accelerations[i].x, b.accelerations[i].x);
+        EXPECT_EQ(a.solid.pressureForce[i].x, 0);
+    }
+}

@@ -129,3 +129,14 @@ TEST(expression, moves)
     EXPECT_EQ(a({1, 0, 0}), 2);
     EXPECT_EQ(a.text(), "x + 1");
 }
+
+
+TEST(expression, knowsItsVariables)
+{
+    const expression e("2*cos(t) + exp(-r)");
+    EXPECT_TRUE(e.uses("t"));
+    EXPECT_TRUE(e.uses("r"));
+    EXPECT_FALSE(e.uses("x"));
+    EXPECT_NEAR(e({0, 0, 0}, 0), 3, 1e-15);    // and still evaluates
+    EXPECT_FALSE(expression("max(1, 2)").uses("x"));
+}
