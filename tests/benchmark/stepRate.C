@@ -5,6 +5,7 @@
 
 #include "base/error.H"
 #include "base/log.H"
+#include "benchmark/schemeWords.H"
 #include "case/argList.H"
 #include "common/lattice.H"
 #include "stepping/fluidSolver.H"
@@ -17,33 +18,6 @@ static double now()
 {
     const auto t = std::chrono::steady_clock::now().time_since_epoch();
     return std::chrono::duration<double>(t).count();
-}
-
-//- full: all that a run on moving particles needs, one evaluation a step;
-//  fullSymplectic: as recommended for long runs, density first, then velocity
-static void choose(const std::string& word, int D, particleSchemes& s)
-{
-    if (word == "radial")
-    {
-        return;
-    }
-    s.areaWeights = particleSchemes::weight::moment;
-    if (word == "moment")
-    {
-        return;
-    }
-    s.faces = particleSchemes::face::hermite;
-    if (word == "fullSymplectic")
-    {
-        s.time = particleSchemes::timeScheme::symplecticEuler;
-    }
-    if (word != "hermite")
-    {
-        s.weightExponent = 3;
-        s.dissipation = 0.1;
-        s.shifting = 0.5;
-        s.shiftingCap = D == 3 ? 80 : 8;
-    }
 }
 
 static int measure(int argc, char** argv)
@@ -104,9 +78,9 @@ static int measure(int argc, char** argv)
         {
             solver->step(t, dt);
             if (solver->maintenanceDue())
-        {
-            solver->maintain();
-        }
+            {
+                solver->maintain();
+            }
         }
         solver->maintain();
         if (round > 0)

@@ -144,9 +144,9 @@ void runReport::printEnd()
     line("function objects", functionSeconds_);
     line("writing", writeSeconds_);
     gpuFsi::info("Neighbour refreshes = {}", solver_.nRefreshes());
-    if (const std::string ranks = solver_.describeRanks(); !ranks.empty())
+    if (const std::string sent = solver_.describeMessages(); !sent.empty())
     {
-        gpuFsi::info("Ranks = {}", ranks);
+        gpuFsi::info("Messages: {}", sent);
     }
     if (solver_.nFallbacks() > 0)
     {

@@ -1,0 +1,58 @@
+#!/bin/bash
+# A rank that is killed at any moment, a write among them: all others stop, and
+# every restart goes on from the last complete time, to the bytes of the run that
+# nothing broke. faults.sh SOURCE WORK BUILD [KILLS]
+here=$(dirname "$0")
+. "$here/../tutorials/functions.sh"
+. "$here/ranks.sh"
+kills=${4:-6}
+ranks=3
+
+copyCase taylorGreen2D vortex
+setEntry vortex/system/resolution n 32
+shorten vortex 240 6
+runCase vortex || exit 1
+keep vortex vortex.one
+clean vortex
+setEntry vortex/system/controlDict startFrom latestTime
+
+# Kills one rank after so many seconds; leaves the exit code in `code`
+runAndKill()
+{
+    onRanks vortex $ranks &
+    local run=$! victim
+    sleep "$1"
+    victim=$(pgrep -f "gpuFsiFoam -parallel -case $work/vortex\$" \
+        | sed -n "$(($2 + 1))p")
+    [ -z "$victim" ] || kill -9 "$victim" 2> /dev/null
+    wait $run
+    code=$?
+}
+
+decompose vortex $ranks hilbert
+RANDOM=4
+hung=0
+broken=0
+n=0
+while [ $n -lt "$kills" ]
+do
+    # Long enough to start, short enough not to end
+    runAndKill "0.$((RANDOM % 900 + 100))" $((RANDOM % ranks))
+    [ $code = 124 ] && hung=$((hung + 1))
+    n=$((n + 1))
+    if [ $code = 0 ]
+    then
+        # Ended before the kill: once more from the start
+        reconstruct vortex
+        [ "$(differences vortex vortex.one)" = 0 ] || broken=$((broken + 1))
+        clean vortex
+        decompose vortex $ranks hilbert
+    fi
+done
+onRanks vortex $ranks || { tail -20 "$work/vortex/log.ranks$ranks"; exit 1; }
+reconstruct vortex
+expect "runs that hung" $hung "<=" 0
+expect "runs between kills that ended otherwise" $broken "<=" 0
+expect "after $kills kills: files that differ" \
+    "$(differences vortex vortex.one)" "<=" 0
+exit "$failures"

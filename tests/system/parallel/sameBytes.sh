@@ -1,0 +1,95 @@
+#!/bin/bash
+# One rank and many write the same bytes: a pulse, a vortex whose particles go
+# from rank to rank, walls that move and slip, elastic solids
+here=$(dirname "$0")
+. "$here/../tutorials/functions.sh"
+. "$here/ranks.sh"
+
+# seedAndRun NAME: on one rank, without MPI; kept in NAME.one
+seedAndRun()
+{
+    runCase "$1" || exit 1
+    keep "$1" "$1.one"
+}
+
+# sameOn NAME RANKS METHOD [TEXT]
+sameOn()
+{
+    clean "$1"
+    decompose "$@"
+    onRanks "$1" "$2" || { tail -20 "$work/$1/log.ranks$2"; exit 1; }
+    reconstruct "$1"
+    expect "$1, $2 ranks by $3 ${4-}: files that differ" \
+        "$(differences "$1" "$1.one")" "<=" 0
+}
+
+every='balance { every yes; }'
+
+copyCase acousticPulse pulse
+setEntry pulse/system/seedParticlesDict spacing 1
+shorten pulse 20 10
+for precision in single double
+do
+    setEntry pulse/system/controlDict precision $precision
+    seedAndRun pulse
+    sameOn pulse 1 hilbert
+    sameOn pulse 2 simple
+    sameOn pulse 3 hilbert
+    sameOn pulse 4 simple
+    sameOn pulse 7 $scotch
+done
+
+# A refresh, and with it a new decomposition, every 10 steps
+copyCase taylorGreen2D vortex
+setEntry vortex/system/resolution n 32
+shorten vortex 120 60
+setEntry vortex/system/controlDict precision single
+seedAndRun vortex
+sameOn vortex 1 hilbert
+sameOn vortex 2 simple
+sameOn vortex 3 hilbert "$every"
+sameOn vortex 4 simple "$every"
+sameOn vortex 7 $scotch "$every"
+expect "vortex on 7 ranks: refreshes" \
+    "$(awk '/^Neighbour refreshes/ { print $4 }' "$work/vortex/log.ranks7")" \
+    ">=" 5
+
+copyCase taylorCouette turning
+shorten turning 60 30
+seedAndRun turning
+sameOn turning 3 hilbert "$every"
+sameOn turning 4 simple
+
+copyCase springPiston piston
+shorten piston 100 50
+seedAndRun piston
+sameOn piston 2 simple
+sameOn piston 7 hilbert "$every"
+
+copyCase elasticSquare square
+setEntry square/system/resolution rows 16
+shorten square 60 30
+seedAndRun square
+sameOn square 3 hilbert
+sameOn square 4 simple "$every"
+
+# What function objects wrote, too
+expect "tables of square that differ" \
+    "$(diff -rq "$work/square/postProcessing" \
+        "$work/square.one/postProcessing" | wc -l)" "<=" 0
+
+# Four ranks as far as the middle, three from there on
+clean square
+decompose square 4 hilbert
+middle=$(ls "$work/square.one" | grep '^[0-9]' | sort -g | head -1)
+setEntry square/system/controlDict endTime '#eval{ 29.9*$deltaT }'
+onRanks square 4 || exit 1
+reconstruct square
+setEntry square/system/controlDict startFrom latestTime
+setEntry square/system/controlDict endTime '#eval{ 59.9*$deltaT }'
+decompose square 3 simple
+onRanks square 3 || exit 1
+reconstruct square
+expect "four ranks, then three from $middle: files that differ" \
+    "$(differences square square.one)" "<=" 0
+exit "$failures"
