@@ -76,6 +76,35 @@ TEST_F(cudaCoupling, agreesWithTheCpu)
 }
 
 
+TEST_F(cudaCoupling, booksTheSameWorks)
+{
+    scene.schemes.dissipation = 0.2;
+    scene.schemes.shifting = 0.5;
+    const auto works = [&](const char* backend)
+    {
+        const auto solver = scene.solver(backend, "double");
+        solver->keepLedger();
+        for (int k = 0; k < 20; ++k)
+        {
+            solver->step(0.01*k, 0.01);
+        }
+        return solver->download().works;
+    };
+    const fluidWorks a = works("cpu"), b = works("cuda");
+    const auto expectNear = [](double x, double y)
+    {
+        EXPECT_NEAR(x, y, 1e-10*std::abs(x));
+    };
+    expectNear(a.boundary, b.boundary);
+    expectNear(a.viscousLoss, b.viscousLoss);
+    expectNear(a.momentumLoss, b.momentumLoss);
+    expectNear(a.densityLoss, b.densityLoss);
+    expectNear(a.shifting, b.shifting);
+    expectNear(a.couplingLag, b.couplingLag);
+    expectNear(a.faceForce.x, b.faceForce.x);
+}
+
+
 TEST_F(cudaCoupling, twoRunsAreTheSameBytes)
 {
     for (const char* precision : {"single", "double"})

@@ -5,6 +5,7 @@
 
 #include "functionObjects/internalEnergy.H"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 using namespace gpuFsi;
@@ -62,23 +63,36 @@ void stir(hostState& s)
     for (std::size_t i = 0; i < s.fluid.size(); ++i)
     {
         const vector& x = s.fluid.positions[i];
-        s.fluid.U[i] = {0.05*std::sin(3*x.x), 0.05*std::cos(6*x.x), 0};
+        const double slant = 0.01*std::sin(2*M_PI*x.y/0.3125);    // across
+        s.fluid.U[i] =
+        {
+            0.05*std::sin(3*x.x) + slant, 0.05*std::cos(6*x.x) + slant, 0
+        };
         s.fluid.deltaRho[i] = 0.02*std::cos(3*x.x);
     }
+}
+
+//- Between a wall that moves, x = 0, and a bar held at both ends
+barColumn heldColumn(double mu, const std::string& motion)
+{
+    barColumn s;
+    s.fluid = publishedFluid(mu);
+    s.fluid.motions.resize(2);
+    s.fluid.motions[0] = wallMotion::make(dictionary::fromString(motion));
+    s.solids.properties = material
+    (
+        s.solids.mesh,
+        "E 200; nu 0.3; parts { left { type fixed; } right { type fixed; } }"
+    );
+    return s;
 }
 
 //- Of a belt at x = 0 with speed V, in steady Couette flow
 barColumn beltColumn(double V)
 {
-    barColumn s;
-    s.fluid = publishedFluid(0.1);
-    s.fluid.motions.resize(2);
-    s.fluid.motions[0] = wallMotion::make
+    barColumn s = heldColumn
     (
-        dictionary::fromString
-        (
-            fmt::format("type sliding; velocity (0 {} 0);", V)
-        )
+        0.1, fmt::format("type sliding; velocity (0 {} 0);", V)
     );
     for (std::size_t i = 0; i < s.state.fluid.size(); ++i)
     {
@@ -149,26 +163,16 @@ TEST(ledger, beltsFeedWhatViscosityTakes)
 //- The fluid's sums over a driven wall against pressure times area at the wall
 TEST(ledger, pistonsAreMeasuredOnBothSides)
 {
-    barColumn s;
-    s.fluid.motions.resize(2);
-    s.fluid.motions[0] = wallMotion::make
+    const barColumn s = heldColumn
     (
-        dictionary::fromString
-        (
-            "type oscillation; amplitude (0.001 0 0); omega 1; phase 0;"
-        )
-    );
-    s.solids.properties = material
-    (
-        s.solids.mesh,
-        "E 2000; nu 0.3; parts { left { type fixed; } right { type fixed; } }"
+        0, "type oscillation; amplitude (0.001 0 0); omega 0.5; phase -1.57;"
     );
     const auto solver = s.solver();
     solver->keepLedger();
-    march(*solver, 300, 0.005);
+    march(*solver, 150, 0.02);
     const fluidWorks w = solver->download().works;
     EXPECT_GT(w.walls, 0);
-    EXPECT_NEAR(w.boundary, w.walls, 0.01*w.walls);
+    EXPECT_NEAR(w.boundary, w.walls, 0.02*w.walls);
 }
 
 
@@ -189,27 +193,18 @@ TEST(ledger, facesAndLoadsAreCompared)
         const double onFluid = after.works.faceForce.x;
         const double onSolid = sumOf(after.solid.load).x;
         const double drift = s.momentum(after).x - before;
-        const double most = s.largestForce(after);
-        RecordProperty
-        (
-            force == law::surface ? "surface" : "reaction",
-            fmt::format
-            (
-                "faces {:.3e} load {:.3e} drift {:.3e}", onFluid, onSolid,
-                drift
-            )
-        );
+        const double most = s.sumOfForces(after);
         fmt::print
         (
-            "{}: net of faces and loads {:.2e} of the largest force, drift of "
+            "{}: net of faces and loads {:.2e} of the forces' sum, drift of "
             "momentum {:.2e} of the fluid's\n",
             force == law::surface ? "surface" : "reaction",
             (onFluid + onSolid)/most, drift/s.fluidMomentum(s.state)
         );
         EXPECT_GT(most, 0);
-        EXPECT_NEAR(onFluid + onSolid, 0, (force == law::reaction ? 1e-13 : 1)
-           *most);
-        EXPECT_NEAR(drift, 0, 0.02*s.fluidMomentum(s.state));
+        const double share = force == law::reaction ? 1e-13 : 1;
+        EXPECT_NEAR(onFluid + onSolid, 0, share*most);
+        EXPECT_NEAR(drift, 0, 0.1*s.fluidMomentum(s.state));
     }
 }
 
