@@ -1,5 +1,9 @@
 #include "functionObjects/functionObjectList.H"
 
+#include "base/log.H"
+
+#include <algorithm>
+
 namespace gpuFsi
 {
 
@@ -104,6 +108,25 @@ void functionObjectList::start(const hostState& state, const runInfo& info)
         }
         object->passed(info);
     }
+}
+
+
+void functionObjectList::dropLedgers()
+{
+    const auto first = std::stable_partition
+    (
+        objects_.begin(), objects_.end(),
+        [](const auto& object) { return !object->needsLedger(); }
+    );
+    for (auto o = first; o != objects_.end(); ++o)
+    {
+        warning
+        (
+            "Function object " + (*o)->name() + " keeps an energy ledger, "
+            "which needs one rank: it is left out"
+        );
+    }
+    objects_.erase(first, objects_.end());
 }
 
 

@@ -38,6 +38,10 @@ public:
 
     void run()
     {
+        if (ranks_.parallel())
+        {
+            functions_.dropLedgers();
+        }
         if (functions_.needsLedger())
         {
             solver_.keepLedger();
