@@ -18,6 +18,7 @@ struct row
     placeRho<double> place[n]{};
     velocity4<double> velocity[n]{};
     int wet[nWalls], someDry = 0;
+    int id[nWalls]{0, 1, 2, 3, 4};
     int patch[nWalls]{0, 0, 0, 0, 1};
     vector normal[nWalls]
     {
@@ -64,7 +65,7 @@ struct row
         step.rho0 = 1;
         step.perC2 = 0.01;
         step.g = {2, 0, 0};
-        const dryWallStep<double, 2> dry{step, {wet, patch, normal}};
+        const dryWallStep<double, 2> dry{step, {wet, id, patch, normal}};
         for (int i = nWalls - 1; i >= 0; --i)
         {
             dry(i);

@@ -119,7 +119,7 @@ TEST(ledger, everyJouleOfTheFluidHasAName)
             if (rich)
             {
                 s.fluid = publishedFluid(0.01);
-                s.fluid.g = {0.1, 0.2, 0};
+                s.fluid.g = vector{0.1, 0.2, 0};
                 s.schemes.faces = particleSchemes::face::hermite;
                 s.schemes.laplacianFactor = 4.0/3;
                 s.schemes.dissipation = 0.2;
