@@ -42,7 +42,7 @@ static argList arguments(int argc, char** argv)
             {"scheme", "WORD", "as stepRate's"},
             {"method", "WORD", "simple (default), hilbert, scotch"},
             {"cuts", "'X Y Z'", "of method simple"},
-            {"staged", "", "never from the device's memory"}
+            {"staged", "", "all values as messages from the host's memory"}
         },
         false
     );
@@ -82,7 +82,8 @@ static rankSettings settings(const argList& args, const communicator& ranks)
         decomposition::make(dict, ".");
     rankSettings s;
     s.method = method;
-    s.direct = ranks.takesDeviceMemory() && !args.found("staged");
+    s.peers = !args.found("staged");
+    s.direct = ranks.takesDeviceMemory() && s.peers;
     s.assign = [shares, n = ranks.size()]
     (
         const blockGrid& grid,
