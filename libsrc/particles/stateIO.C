@@ -83,21 +83,24 @@ static particleSet readSet(const cloud& c, double rho0, const fs::path& time)
 }
 
 
-static void checkInside(const particleSet& s, const domain& d, const fs::path& f)
+bool isInside(const vector& x, const domain& d)
 {
     const double slack = 0.5*d.spacing;
-    const auto outside = [&](double x, double lo, double hi)
+    const auto inside = [&](double x, double lo, double hi)
     {
-        return x < lo - slack || x > hi + slack;
+        return x >= lo - slack && x <= hi + slack;
     };
+    return inside(x.x, d.lo.x, d.hi.x) && inside(x.y, d.lo.y, d.hi.y)
+     && (d.dimensions == 2 || inside(x.z, d.lo.z, d.hi.z));
+}
+
+
+static void checkInside(const particleSet& s, const domain& d, const fs::path& f)
+{
     for (std::size_t i = 0; i < s.size(); ++i)
     {
         const vector& x = s.positions[i];
-        if
-        (
-            outside(x.x, d.lo.x, d.hi.x) || outside(x.y, d.lo.y, d.hi.y)
-         || (d.dimensions == 3 && outside(x.z, d.lo.z, d.hi.z))
-        )
+        if (!isInside(x, d))
         {
             throw userError
             (
@@ -183,14 +186,12 @@ static void readFluid
 (
     hostState& s,
     const cloud& fluid,
-    const fs::path& time,
-    const domain& d
+    const fs::path& time
 )
 {
     s.fluid = readSet(fluid, s.rho0, time);
     s.fluid.mass = needField(fluid, "m", "scalarField", time).values;
     checkPositive(s.fluid.mass, "m", time/"lagrangian/fluid/m");
-    checkInside(s.fluid, d, time/"lagrangian/fluid/positions");
 }
 
 
@@ -232,7 +233,13 @@ static void readWalls
 }
 
 
-hostState readState(const fs::path& time, const domain& d, double rho0)
+hostState readState
+(
+    const fs::path& time,
+    const domain& d,
+    double rho0,
+    bool anywhere
+)
 {
     hostState s = emptyState(d, rho0);
     s.solid = readSolidSet(time, d);
@@ -240,7 +247,11 @@ hostState readState(const fs::path& time, const domain& d, double rho0)
     {
         return s;
     }
-    readFluid(s, readCloud(time, "fluid"), time, d);
+    readFluid(s, readCloud(time, "fluid"), time);
+    if (!anywhere)
+    {
+        checkInside(s.fluid, d, time/"lagrangian/fluid/positions");
+    }
     if (s.fluid.size() == 0)
     {
         throw userError
@@ -274,7 +285,8 @@ hostState readPart
         return s;
     }
     const cloud fluid = readCloud(time, "fluid");
-    readFluid(s, fluid, time, d);
+    readFluid(s, fluid, time);
+    checkInside(s.fluid, d, time/"lagrangian/fluid/positions");
     s.fluidId = idsOf(fluid, time);
     if (!d.walls.empty())
     {

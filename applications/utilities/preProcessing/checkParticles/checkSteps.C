@@ -1,0 +1,150 @@
+#include "checks.H"
+
+#include "base/log.H"
+#include "worstParticles.H"
+
+#include <algorithm>
+#include <array>
+
+using namespace gpuFsi;
+
+namespace
+{
+
+using timeScheme = particleSchemes::timeScheme;
+
+constexpr std::array<const char*, 3> schemeNames
+{
+    "Euler", "symplecticEuler", "RK2"
+};
+
+particleSchemes with(particleSchemes s, std::size_t scheme)
+{
+    s.time = timeScheme(scheme);
+    return s;
+}
+
+std::string number(double deltaT)
+{
+    return deltaT < std::numeric_limits<double>::infinity()
+      ? fmt::format("{:.4g}", deltaT) : "-";
+}
+
+//- A line of the table; limits by time scheme
+void printRow
+(
+    const std::string& term,
+    const std::array<double, 3>& limits,
+    bool radial,
+    const std::string& by
+)
+{
+    info
+    (
+        "    {:<12}{:>12}{:>18}{:>12}    {}", term, number(limits[0]),
+        radial ? "" : number(limits[1]), radial ? "" : number(limits[2]), by
+    );
+}
+
+std::string solidName(const checkedCase& c, int node)
+{
+    const vector& x = c.solids->mesh.points[node];
+    return fmt::format
+    (
+        "solid {} at ({:.4g} {:.4g} {:.4g})", node, x.x, x.y, x.z
+    );
+}
+
+//- Prints the table
+void printLocal
+(
+    const checkedCase& c,
+    const checkedTime& t,
+    const worstParticles& worst,
+    const solidScales& solid
+)
+{
+    const bool radial =
+        c.schemes.areaWeights == particleSchemes::weight::radial;
+    info("    {:<12}{:>12}{:>18}{:>12}    set by", "term", schemeNames[0],
+        radial ? "" : schemeNames[1], radial ? "" : schemeNames[2]);
+    std::array<std::vector<termLimit>, 3> limits;
+    for (std::size_t s = 0; s < limits.size(); ++s)
+    {
+        limits[s] = worst.limits(with(c.schemes, s), solid);
+    }
+    std::array<double, 3> least;
+    for (std::size_t s = 0; s < limits.size(); ++s)
+    {
+        least[s] = shortest(limits[s]).deltaT;
+    }
+    for (std::size_t k = 0; k < limits[0].size(); ++k)
+    {
+        const std::string term = limits[0][k].term;
+        const int node =
+            term == "spring" ? worst.stiffest : worst.lightestNode;
+        const std::string by = k < worst.fluid.size()
+          ? (limits[0][k].deltaT < HUGE_VAL ? t.name(worst.fluid[k]) : "")
+          : node >= 0 ? solidName(c, node) : "";
+        printRow
+        (
+            term,
+            {limits[0][k].deltaT, limits[1][k].deltaT, limits[2][k].deltaT},
+            radial, by
+        );
+    }
+    printRow("deltaT", least, radial, "");
+}
+
+} // namespace
+
+
+void checkSteps
+(
+    const checkedCase& c,
+    const checkedTime& t,
+    const neighbourRows* rows,
+    findings& found
+)
+{
+    info("Step limits, s");
+    const worstParticles worst(c, t, rows);
+    const solidScales solid =
+        c.solids ? solidScalesOf(*c.solids, t.state) : solidScales{};
+    printLocal(c, t, worst, solid);
+    if (c.solids && solid.subSteps == 0)
+    {
+        info
+        (
+            "    The solids' sub-steps follow deltaT; explicit ones are "
+            "stable below {:.4g} s", springLimit(solid.omegaMax)
+        );
+    }
+    const caseScales whole = worst.wholeCase(solid);
+    const termLimit least = shortest(termLimits(c.schemes, whole));
+    info
+    (
+        "    On an even lattice: {:.4g} ({}); gpuFsiFoam refuses a fixed "
+        "deltaT beyond it", least.deltaT, least.term
+    );
+    const auto beyond = exceeded(c.schemes, whole, c.deltaT);
+    if (beyond && !c.adjusts)
+    {
+        found.bad
+        (
+            fmt::format
+            (
+                "deltaT {:.6g} of system/controlDict is beyond the limit "
+                "{:.4g} ({})", c.deltaT, beyond->deltaT, beyond->term
+            )
+        );
+    }
+    else
+    {
+        found.good
+        (
+            c.adjusts ? "deltaT follows the limits (adjustTimeStep)"
+              : fmt::format("deltaT {:.6g} within the limits", c.deltaT)
+        );
+    }
+}

@@ -1,0 +1,77 @@
+#include "limits/stepLimits.H"
+
+#include <cmath>
+#include <limits>
+
+namespace gpuFsi
+{
+
+static constexpr double infinite = std::numeric_limits<double>::infinity();
+
+static stepNumbers numbersOf(const flowScales& s, double dt)
+{
+    return {s.c*dt/s.h, s.nu*dt/(s.h*s.h)};
+}
+
+
+//- Largest dt below `high`, which is unstable
+static double bisect
+(
+    const particleSchemes& schemes,
+    const flowScales& s,
+    double high
+)
+{
+    constexpr int halvings = 24;
+    double low = 0;
+    for (int k = 0; k < halvings; ++k)
+    {
+        const double middle = 0.5*(low + high);
+        (stable(schemes, s, middle) ? low : high) = middle;
+    }
+    return low;
+}
+
+
+//- Beyond these numbers every scheme is unstable
+static constexpr stepNumbers beyond{5, 4};
+
+double acousticLimit(const particleSchemes& schemes, const flowScales& s)
+{
+    return s.c > 0 ? bisect(schemes, s, beyond.acoustic*s.h/s.c) : infinite;
+}
+
+
+double viscousLimit(const particleSchemes& schemes, const flowScales& s)
+{
+    flowScales still = s;
+    still.c = 0;
+    return s.nu > 0
+      ? bisect(schemes, still, beyond.diffusion*s.h*s.h/s.nu) : infinite;
+}
+
+
+double convectiveLimit(double h, double relativeSpeed)
+{
+    return relativeSpeed > 0 ? h/relativeSpeed : infinite;
+}
+
+
+double bodyForceLimit(double h, double force)
+{
+    return force > 0 ? std::sqrt(h/force) : infinite;
+}
+
+
+double springLimit(double omegaMax, int subSteps)
+{
+    return omegaMax > 0 ? 2*subSteps/omegaMax : infinite;
+}
+
+
+bool stable(const particleSchemes& schemes, const flowScales& s, double dt)
+{
+    return logAmplification(schemes, s.dimensions, numbersOf(s, dt)) <= growth;
+}
+
+} // namespace gpuFsi

@@ -1,0 +1,97 @@
+#include "limits/termLimits.H"
+
+#include "limits/couplingLimit.H"
+
+#include <algorithm>
+
+namespace gpuFsi
+{
+
+static constexpr double infinite = std::numeric_limits<double>::infinity();
+
+//- Those that take no search
+static std::vector<termLimit> plainLimits(const caseScales& s)
+{
+    const flowScales& f = s.flow;
+    return
+    {
+        {"convective", convectiveLimit(f.h, s.relativeSpeed)},
+        {"bodyForce", bodyForceLimit(f.h, s.force)},
+        {
+            "spring",
+            s.solid.subSteps > 0
+          ? springLimit(s.solid.omegaMax, s.solid.subSteps) : infinite
+        },
+        {
+            "coupling",
+            f.c > 0 && s.solid.massPerArea < infinite
+          ? couplingLimit(f.h, f.c, s.rho, s.solid.massPerArea) : infinite
+        }
+    };
+}
+
+
+std::vector<termLimit> termLimits
+(
+    const particleSchemes& schemes,
+    const caseScales& s
+)
+{
+    std::vector<termLimit> limits
+    {
+        {"acoustic", acousticLimit(schemes, s.flow)},
+        {"viscous", viscousLimit(schemes, s.flow)}
+    };
+    const std::vector<termLimit> plain = plainLimits(s);
+    limits.insert(limits.end(), plain.begin(), plain.end());
+    return limits;
+}
+
+
+termLimit shortest(const std::vector<termLimit>& limits)
+{
+    return *std::min_element
+    (
+        limits.begin(), limits.end(),
+        [](const termLimit& a, const termLimit& b)
+        {
+            return a.deltaT < b.deltaT;
+        }
+    );
+}
+
+
+std::optional<termLimit> exceeded
+(
+    const particleSchemes& schemes,
+    const caseScales& s,
+    double dt
+)
+{
+    std::vector<termLimit> limits = plainLimits(s);
+    if (dt > s.solid.implicitBeyond)
+    {
+        limits.erase
+        (
+            std::remove_if
+            (
+                limits.begin(), limits.end(),
+                [](const termLimit& l)
+                {
+                    return std::string(l.term) == "spring";
+                }
+            ),
+            limits.end()
+        );
+    }
+    if (s.flow.c > 0 && !stable(schemes, s.flow, dt))
+    {
+        limits.push_back({"viscous", viscousLimit(schemes, s.flow)});
+        limits.push_back({"acoustic", acousticLimit(schemes, s.flow)});
+    }
+    const termLimit least = shortest(limits);
+    return dt > least.deltaT*(1 + 1e-6)
+      ? std::optional<termLimit>(least) : std::nullopt;
+}
+
+} // namespace gpuFsi
