@@ -135,10 +135,10 @@ double logAmplification
 (
     const particleSchemes& schemes,
     int dimensions,
-    const stepNumbers& step
+    const stepNumbers& step,
+    int waves
 )
 {
-    constexpr int waves = 16;
     const stencil all = latticeStencil(schemes, dimensions);
     const int deep = dimensions == 3 ? waves : 0;
     double most = 0;

@@ -35,15 +35,22 @@ static double leastMassPerArea(const solidScene& scene, const hostState& state)
 }
 
 
-solidScales solidScalesOf(const solidScene& scene, const hostState& state)
+solidScales solidScalesOf
+(
+    const solidScene& scene,
+    const hostState& state,
+    bool always
+)
 {
     using scheme = solidProperties::scheme;
     const solidProperties& p = scene.properties;
     solidScales s;
     s.massPerArea = leastMassPerArea(scene, state);
-    s.omegaMax =
-        elasticSolver::make("cpu", scene.mesh, p)->omegaMax();
     s.subSteps = p.stepping == scheme::midpoint ? 0 : p.subSteps;
+    if (always || s.subSteps > 0)
+    {
+        s.omegaMax = elasticSolver::make("cpu", scene.mesh, p)->omegaMax();
+    }
     if (p.stepping == scheme::automatic)
     {
         s.implicitBeyond = springLimit(s.omegaMax)*mostExplicit;

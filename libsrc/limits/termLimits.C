@@ -9,8 +9,7 @@ namespace gpuFsi
 
 static constexpr double infinite = std::numeric_limits<double>::infinity();
 
-//- Those that take no search
-static std::vector<termLimit> plainLimits(const caseScales& s)
+std::vector<termLimit> plainLimits(const caseScales& s)
 {
     const flowScales& f = s.flow;
     return

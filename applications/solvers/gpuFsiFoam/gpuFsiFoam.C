@@ -52,9 +52,11 @@ static int solve(const communicator& ranks, int argc, char** argv)
     report.printScene();
 
     info("Starting time loop\n");
+    stepControl stepping(s, *solver, ranks);
     runSteps
     (
-        runTime, *s.controls, s.fluid, *solver, functions, report, ranks
+        runTime, *s.controls, stepping, s.fluid, *solver, functions, report,
+        ranks
     );
 
     report.printEnd();

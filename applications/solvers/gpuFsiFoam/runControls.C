@@ -11,7 +11,8 @@ runControls::runControls(const dictionary& d)
         d.getChoiceOrDefault("precision", "double", {"single", "double"})
     ),
     logInterval(long(d.getNumberOrDefault("logInterval", 10, 1, 1e9))),
-    maxDi(d.getNumberOrDefault("maxDi", 0.4, 1e-6, 0.5))
+    maxDi(d.getNumberOrDefault("maxDi", 0.4, 1e-6, 0.5)),
+    allowUnstable(d.getOrDefault("allowUnstable", false))
 {}
 
 } // namespace gpuFsi

@@ -92,26 +92,22 @@ const runInfo& runReport::info()
 }
 
 
-double runReport::courant(const flowMonitor& m) const
+double runReport::courant(double speed) const
 {
-    return (fluid_.c + m.maxSpeed)*time_.deltaT()/domain_.spacing;
+    return (fluid_.c + speed)*time_.deltaT()/domain_.spacing;
 }
 
 
-double runReport::diffusion() const
+void runReport::printStep(const flowMonitor& m, const std::string& limiting)
 {
-    return fluid_.mu/fluid_.rho0*time_.deltaT()
-      /(domain_.spacing*domain_.spacing);
-}
-
-
-void runReport::printStep(const flowMonitor& m)
-{
-    const double mean =
-        (fluid_.c + m.meanSpeed)*time_.deltaT()/domain_.spacing;
     const runInfo& i = info();
-    gpuFsi::info("Courant Number mean: {:.6g} max: {:.6g}", mean, courant(m));
+    gpuFsi::info("Courant Number mean: {:.6g} max: {:.6g}",
+        courant(m.meanSpeed), courant(m.maxSpeed));
     gpuFsi::info("deltaT = {:.6g}", time_.deltaT());
+    if (!limiting.empty())
+    {
+        gpuFsi::info("Time step limited by {}", limiting);
+    }
     gpuFsi::info("Time = {}", time_.timeName());
     gpuFsi::info("Max speed = {:.6g}  Rate = {:.4g} MIPPS  "
         "To finish = {:.3g} s",

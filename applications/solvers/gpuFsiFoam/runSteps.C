@@ -3,7 +3,6 @@
 #include "parallel/rankState.H"
 #include "particles/stateIO.H"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace gpuFsi
@@ -20,6 +19,7 @@ public:
     (
         Time& time,
         const runControls& controls,
+        stepControl& stepping,
         const fluidProperties& fluid,
         fluidSolver& solver,
         functionObjectList& functions,
@@ -29,6 +29,7 @@ public:
     :
         time_(time),
         controls_(controls),
+        stepping_(stepping),
         fluid_(fluid),
         solver_(solver),
         functions_(functions),
@@ -51,9 +52,10 @@ public:
             const hostState whole = wholeState();
             onMaster([&] { functions_.start(whole, report_.info()); });
         }
+        checkDeltaT();
         while (time_.run())
         {
-            adjustDeltaT();
+            stepping_.adjust([&] { return solver_.monitor(); });
             const double before = time_.value();
             ++time_;
             solver_.step(before, time_.deltaT());
@@ -80,14 +82,12 @@ public:
 
 private:
 
-    void adjustDeltaT()
+    void checkDeltaT()
     {
-        if (time_.adjustTimeStep())
+        if (time_.run())
         {
-            const double viscous =
-                report_.diffusion()*time_.maxCo()/controls_.maxDi;
-            const double courant = report_.courant(solver_.monitor());
-            time_.adjustDeltaT(std::max(courant, viscous));
+            const flowMonitor m = solver_.monitor();
+            ranks_.agree([&] { stepping_.start(m); });
         }
     }
 
@@ -95,7 +95,7 @@ private:
     {
         if (time_.index() % controls_.logInterval == 0 || time_.writeTime())
         {
-            report_.printStep(solver_.monitor());
+            report_.printStep(solver_.monitor(), stepping_.limiting());
         }
     }
 
@@ -166,6 +166,7 @@ private:
 
     Time& time_;
     const runControls& controls_;
+    stepControl& stepping_;
     const fluidProperties& fluid_;
     fluidSolver& solver_;
     functionObjectList& functions_;
@@ -180,6 +181,7 @@ void runSteps
 (
     Time& time,
     const runControls& controls,
+    stepControl& stepping,
     const fluidProperties& fluid,
     fluidSolver& solver,
     functionObjectList& functions,
@@ -187,7 +189,10 @@ void runSteps
     const communicator& ranks
 )
 {
-    timeLoop loop(time, controls, fluid, solver, functions, report, ranks);
+    timeLoop loop
+    (
+        time, controls, stepping, fluid, solver, functions, report, ranks
+    );
     try
     {
         loop.run();

@@ -25,26 +25,46 @@ struct tally
     }
 };
 
-//- Is there a direction in whose cone of 45 degrees no neighbour is nearer than
-//  2.2 spacings? One lattice place may be empty, four may not.
-bool besideHole(const std::vector<neighbourEntry>& row, int dimensions)
+//- Spacings: neighbours farther away fill no hole. One lattice place may be
+//  empty, four may not.
+constexpr double far = 2.2;
+
+//- Is there a neighbour along d, within 45 degrees, or a wall that d leads
+//  behind?
+bool fills
+(
+    const neighbourEntry& n,
+    const vector& d,
+    const std::vector<vector>& normals
+)
 {
+    const double length = std::sqrt(dot(d, d));
     const double cosine = std::sqrt(0.5) - 1e-3;
-    constexpr double far = 2.2;
-    const int deep = dimensions == 3 ? 1 : 0;
+    const bool wall = std::size_t(n.id) < normals.size();
+    return n.u < far
+     &&
+        (
+            dot(n.e, d) > cosine*n.u*length
+         || (wall && dot(normals[n.id], d) < -0.35*length)
+        );
+}
+
+bool besideHole
+(
+    const std::vector<neighbourEntry>& row,
+    const hostState& state
+)
+{
+    const int deep = state.dimensions == 3 ? 1 : 0;
     for (int k = -deep; k <= deep; ++k)
     for (int j = -1; j <= 1; ++j)
     for (int i = -1; i <= 1; ++i)
     {
         const vector d{double(i), double(j), double(k)};
-        const double length = std::sqrt(dot(d, d));
-        const bool seen = length == 0 || std::any_of
+        const bool seen = dot(d, d) == 0 || std::any_of
         (
             row.begin(), row.end(),
-            [&](const neighbourEntry& n)
-            {
-                return n.u < far && dot(n.e, d) > cosine*n.u*length;
-            }
+            [&](const neighbourEntry& n) { return fills(n, d, state.normals); }
         );
         if (!seen)
         {
@@ -100,12 +120,12 @@ void addWeights
 rowCounts countRows
 (
     const checkedCase& c,
-    std::size_t n,
+    const hostState& state,
     const neighbourRows& rows
 )
 {
     rowCounts counts;
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < state.fluid.size(); ++i)
     {
         const std::vector<neighbourEntry> row = rows.of(i);
         const int covered = int(std::count_if
@@ -116,7 +136,7 @@ rowCounts countRows
         counts.covered += covered;
         counts.leastCovered = std::min(counts.leastCovered, covered);
         counts.whole += covered == rows.nDirections();
-        if (besideHole(row, c.space.dimensions))
+        if (besideHole(row, state))
         {
             counts.holes.add(i);
         }
@@ -213,7 +233,7 @@ void checkRows
 )
 {
     info("Checking directions...");
-    const rowCounts counts = countRows(c, t.state.fluid.size(), rows);
+    const rowCounts counts = countRows(c, t.state, rows);
     reportDirections(t, rows, counts, found);
     info("Checking weights...");
     reportWeights(c, t, counts, found);

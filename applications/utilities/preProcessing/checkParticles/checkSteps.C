@@ -110,7 +110,7 @@ void checkSteps
     info("Step limits, s");
     const worstParticles worst(c, t, rows);
     const solidScales solid =
-        c.solids ? solidScalesOf(*c.solids, t.state) : solidScales{};
+        c.solids ? solidScalesOf(*c.solids, t.state, true) : solidScales{};
     printLocal(c, t, worst, solid);
     if (c.solids && solid.subSteps == 0)
     {

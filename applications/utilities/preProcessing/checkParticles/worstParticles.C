@@ -66,10 +66,10 @@ double approachOf
     return most;
 }
 
-template<class T>
-bool raise(T& most, const T& value)
+//- Rounding alone raises nothing
+bool raise(double& most, double value)
 {
-    const bool more = value > most;
+    const bool more = value > most*(1 + 1e-9);
     most = more ? value : most;
     return more;
 }

@@ -1,0 +1,173 @@
+#include "stepControl.H"
+
+#include "base/log.H"
+#include "limits/solidScalesOf.H"
+
+#include <cmath>
+
+namespace gpuFsi
+{
+
+//- Of a stability limit, that a step may take
+static constexpr double share = 0.9;
+
+static constexpr double infinite = std::numeric_limits<double>::infinity();
+
+//- Of all ranks
+static solidScales solidsOf
+(
+    const scene& s,
+    const fluidSolver& solver,
+    const communicator& ranks
+)
+{
+    solidScales solid;
+    if (s.solids)
+    {
+        const hostState state =
+            s.space.hasFluid() ? solver.download() : hostState{};
+        solid = solidScalesOf(*s.solids, state);
+        double lightest = -solid.massPerArea;
+        ranks.max(&lightest, 1);
+        solid.massPerArea = -lightest;
+    }
+    return solid;
+}
+
+
+stepControl::stepControl
+(
+    const scene& s,
+    const fluidSolver& solver,
+    const communicator& ranks
+)
+:
+    time_(*s.time),
+    controls_(*s.controls),
+    fluid_(s.fluid),
+    schemes_(s.schemes),
+    acoustic_{"acoustic", infinite},
+    viscous_{"viscous", infinite}
+{
+    const bool fluid = s.space.hasFluid();
+    scales_.flow =
+    {
+        s.space.dimensions, s.space.spacing, fluid ? s.fluid.c : 0,
+        fluid ? s.fluid.mu/s.fluid.rho0 : 0
+    };
+    scales_.rho = s.fluid.rho0;
+    scales_.solid = solidsOf(s, solver, ranks);
+}
+
+
+caseScales stepControl::scalesOf(const flowMonitor& m) const
+{
+    caseScales s = scales_;
+    if (s.flow.c > 0)
+    {
+        const vector g = fluid_.g.at(time_.value());
+        s.relativeSpeed = m.maxRelativeSpeed;
+        s.force = std::sqrt(dot(g, g));
+    }
+    return s;
+}
+
+
+std::string stepControl::describe(const termLimit& l) const
+{
+    return fmt::format
+    (
+        "deltaT {:.6g} is beyond the {} limit {:.6g}{}", time_.deltaT(),
+        l.term, l.deltaT,
+        scales_.flow.c > 0 ? " of " + schemes_.describe() : ""
+    );
+}
+
+
+void stepControl::start(const flowMonitor& m)
+{
+    if (time_.adjustTimeStep())
+    {
+        if (wanted(m).deltaT == infinite)
+        {
+            throw userError
+            (
+                "adjustTimeStep has no limit to follow: there is no fluid, and "
+                "the solids' sub-steps follow deltaT",
+                time_.controlDict().where("adjustTimeStep"),
+                "Leave it out: deltaT is then the time from one load and log "
+                "entry to the next."
+            );
+        }
+        return;
+    }
+    checked_ = time_.deltaT();
+    const auto beyond = exceeded(schemes_, scalesOf(m), checked_);
+    if (!beyond)
+    {
+        return;
+    }
+    if (!controls_.allowUnstable)
+    {
+        throw userError
+        (
+            describe(*beyond), time_.controlDict().where("deltaT"),
+            "Take a smaller deltaT, or 'adjustTimeStep yes'; checkParticles "
+            "tells all limits. With 'allowUnstable yes' it runs all the same."
+        );
+    }
+    warning(describe(*beyond));
+}
+
+
+//- The shortest of what the limits and the user allow
+termLimit stepControl::wanted(const flowMonitor& m) const
+{
+    const caseScales s = scalesOf(m);
+    std::vector<termLimit> limits = plainLimits(s);
+    limits.push_back(acoustic_);
+    limits.push_back(viscous_);
+    for (termLimit& l : limits)
+    {
+        l.deltaT *= share;
+    }
+    const flowScales& f = s.flow;
+    if (f.c > 0)
+    {
+        limits.push_back
+        ({
+            "maxCo", time_.maxCo()*f.h/(f.c + m.maxSpeed)
+        });
+        limits.push_back
+        ({
+            "maxDi", f.nu > 0 ? controls_.maxDi*f.h*f.h/f.nu : infinite
+        });
+    }
+    return shortest(limits);
+}
+
+
+void stepControl::follow(const flowMonitor& m)
+{
+    if (acoustic_.deltaT == infinite && scales_.flow.c > 0)
+    {
+        acoustic_.deltaT = acousticLimit(schemes_, scales_.flow);
+        viscous_.deltaT = viscousLimit(schemes_, scales_.flow);
+    }
+    const termLimit next = wanted(m);
+    limiting_ = next.term;
+    time_.adjustDeltaT(time_.maxCo()*time_.deltaT()/next.deltaT);
+}
+
+
+//- controlDict was changed while the case runs
+void stepControl::warnOfChange(const flowMonitor& m)
+{
+    checked_ = time_.deltaT();
+    if (const auto beyond = exceeded(schemes_, scalesOf(m), checked_))
+    {
+        warning(describe(*beyond));
+    }
+}
+
+} // namespace gpuFsi
