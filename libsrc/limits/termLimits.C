@@ -47,9 +47,29 @@ std::vector<termLimit> termLimits
 }
 
 
+//- acoustic takes viscosity along: where that alone would limit as much, it
+//  is viscosity that does
+static bool viscosityLimits
+(
+    const std::vector<termLimit>& limits,
+    const termLimit& least
+)
+{
+    return std::any_of
+    (
+        limits.begin(), limits.end(),
+        [&](const termLimit& l)
+        {
+            return std::string(l.term) == "viscous"
+             && l.deltaT < 1.1*least.deltaT;
+        }
+    );
+}
+
+
 termLimit shortest(const std::vector<termLimit>& limits)
 {
-    return *std::min_element
+    termLimit least = *std::min_element
     (
         limits.begin(), limits.end(),
         [](const termLimit& a, const termLimit& b)
@@ -57,6 +77,15 @@ termLimit shortest(const std::vector<termLimit>& limits)
             return a.deltaT < b.deltaT;
         }
     );
+    if
+    (
+        std::string(least.term) == "acoustic"
+     && viscosityLimits(limits, least)
+    )
+    {
+        least.term = "viscous";
+    }
+    return least;
 }
 
 

@@ -8,8 +8,8 @@
 namespace gpuFsi
 {
 
-//- Of a stability limit, that a step may take
-static constexpr double share = 0.9;
+//- Of a limit, that a step may take; as for the sub-steps of solids
+static constexpr double share = 0.8;
 
 static constexpr double infinite = std::numeric_limits<double>::infinity();
 

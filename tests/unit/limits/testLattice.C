@@ -1,9 +1,5 @@
 // The limits of sound and viscosity against what the solver does: noise in a
 // small periodic box grows beyond the limit and does not below.
-//
-// Measured by bisection, 2-D, 12 x 12 particles, noise of 1e-8, 4000 steps,
-// beside the limit (the first three columns in units of h/c, the last h^2/nu):
-// see the table in `schemes`.
 
 #include "common/fluids.H"
 #include "common/lattice.H"
@@ -21,21 +17,26 @@ using timeScheme = particleSchemes::timeScheme;
 struct scene
 {
     const char* name;
-    bool moment;
-    int exponent;
+    int exponent;       // of the weights; 0: radial
     double a;           // laplacianFactor; 0: linear faces
     timeScheme time;
     double beta;
-    double c;           // m/s
-    double nu;          // m^2/s; h is 1 m
+    double c;           // m/s; h is 1 m
+    double nu;          // m^2/s
+    int dimensions = 2;
 };
+
+domain boxOf(const scene& s, int side)
+{
+    return periodicBox(side, s.dimensions, side);
+}
 
 particleSchemes schemesOf(const scene& s, const domain& d)
 {
     particleSchemes p = defaultSchemes(d);
-    p.areaWeights = s.moment
+    p.areaWeights = s.exponent > 0
       ? particleSchemes::weight::moment : particleSchemes::weight::radial;
-    p.weightExponent = s.exponent;
+    p.weightExponent = std::max(1, s.exponent);
     p.faces = s.a > 0
       ? particleSchemes::face::hermite : particleSchemes::face::linear;
     p.laplacianFactor = s.a > 0 ? s.a : 1;
@@ -46,16 +47,14 @@ particleSchemes schemesOf(const scene& s, const domain& d)
 
 constexpr double noise = 1e-8, loud = 1e-4;
 
-hostState noisyState(const domain& d, double c, double displace)
+hostState noisyState(const domain& d, double displace)
 {
     hostState s = latticeState(d, 0, 1, displace);
     for (std::size_t i = 0; i < s.fluid.size(); ++i)
     {
-        s.fluid.deltaRho[i] = noise*hashed(5*i + 1000003);
-        s.fluid.U[i] =
-        {
-            c*noise*hashed(5*i + 1000004), c*noise*hashed(5*i + 1000005), 0
-        };
+        const auto next = [&](int k) { return noise*hashed(5*i + 1000003 + k); };
+        s.fluid.deltaRho[i] = next(0);
+        s.fluid.U[i] = {next(1), next(2), d.dimensions == 3 ? next(3) : 0};
     }
     return s;
 }
@@ -72,24 +71,27 @@ double speedAfter(fluidSolver& solver, double dt, int steps)
     return speed;
 }
 
-//- Does the noise grow e-fold in 1000 steps, or faster?
-bool grows(const scene& s, double dt, double displace = 0)
+//- Does the noise grow by more than `growth` a step?
+bool grows(const scene& s, int side, double dt, double displace)
 {
-    const domain d = periodicBox(16, 2, 16);
+    const domain d = boxOf(s, side);
     const particleSchemes schemes = schemesOf(s, d);
     fluidProperties fluid = publishedFluid(s.nu);
     fluid.c = s.c > 0 ? s.c : 1e-6;
     const auto solver = fluidSolver::make
     (
-        "cpu", "double", d, fluid, schemes,
-        noisyState(d, s.c > 0 ? s.c : 1, displace)
+        "cpu", "double", d, fluid, schemes, noisyState(d, displace)
     );
-    constexpr int steps = 3000;
+    const int steps = s.dimensions == 3 ? 1500 : 3000;
     try
     {
         const double before = speedAfter(*solver, dt, steps);
-        return before > loud
-         || speedAfter(*solver, dt, steps) > std::exp(growth*steps)*before;
+        if (before > loud)
+        {
+            return true;
+        }
+        const double after = speedAfter(*solver, dt, steps);
+        return after > loud || after > std::exp(growth*steps)*before;
     }
     catch (const brokenState&)
     {
@@ -97,73 +99,154 @@ bool grows(const scene& s, double dt, double displace = 0)
     }
 }
 
-double measured(const scene& s, double high, double displace = 0)
+template<class Unstable>
+double bisected(double high, int halvings, const Unstable& unstable)
 {
     double low = 0;
-    for (int k = 0; k < 7; ++k)
+    for (int k = 0; k < halvings; ++k)
     {
         const double middle = 0.5*(low + high);
-        (grows(s, middle, displace) ? high : low) = middle;
+        (unstable(middle) ? high : low) = middle;
     }
     return 0.5*(low + high);
 }
 
 double limitOf(const scene& s)
 {
-    const domain d = periodicBox(16, 2, 16);
-    const flowScales scales{2, 1, s.c, s.nu};
+    const domain d = boxOf(s, 16);
+    const flowScales scales{s.dimensions, 1, s.c, s.nu};
     const particleSchemes schemes = schemesOf(s, d);
     return s.c > 0
       ? acousticLimit(schemes, scales) : viscousLimit(schemes, scales);
 }
 
-const std::vector<scene> schemes
+//- Of the waves that a box has room for
+double limitInBox(const scene& s, int side)
 {
-    {"radial viscous", false, 1, 0, timeScheme::Euler, 0, 0, 1},
-    {"radial published", false, 1, 0, timeScheme::Euler, 0, 1, 0.2},
-    {"moment viscous", true, 1, 0, timeScheme::RK2, 0, 0, 1},
-    {"steep viscous", true, 3, 0, timeScheme::symplecticEuler, 0, 0, 1},
-    {"Hermite viscous", true, 1, 4.0/3, timeScheme::RK2, 0, 0, 1},
-    {"Euler", true, 1, 0, timeScheme::Euler, 0, 1, 0.1},
-    {"symplectic", true, 1, 0, timeScheme::symplecticEuler, 0, 1, 0},
-    {"symplectic damped", true, 1, 0, timeScheme::symplecticEuler, 0.2, 1, 0},
-    {"symplectic Hermite", true, 3, 1, timeScheme::symplecticEuler, 0.2, 1, 0},
-    {"the same, viscous", true, 3, 1, timeScheme::symplecticEuler, 0.1, 1,
-        0.1},
-    {"RK2", true, 1, 0, timeScheme::RK2, 0, 1, 0},
-    {"RK2 Hermite damped", true, 1, 1, timeScheme::RK2, 0.2, 1, 0.01},
-};
+    const particleSchemes schemes = schemesOf(s, boxOf(s, side));
+    return bisected(4*limitOf(s), 20, [&](double dt)
+    {
+        return logAmplification
+        (
+            schemes, s.dimensions, {s.c*dt, s.nu*dt}, side/2
+        ) > growth;
+    });
+}
+
+double measured(const scene& s, int side, double high, double displace = 0)
+{
+    return bisected(high, 7, [&](double dt)
+    {
+        return grows(s, side, dt, displace);
+    });
+}
 
 } // namespace
 
 
-TEST(lattice, scan)
+// Measured beside the limit, of the waves in a box of 16 (3-D: 8), in h/c or
+// h^2/nu; then on particles displaced by 20%:
+//     radial, viscous           0.504  0.500    0.47
+//     moment, viscous           0.504  0.500    0.39
+//     weightExponent 3          0.378  0.375    0.31
+//     hermite, a = 4/3          0.378  0.375    0.30
+//     symplectic                2.02   2.00     0.11 (grows without damping)
+//     dissipation 0.2           1.79   1.77     1.76
+//     the same, hermite, q = 3  0.442  0.434    0.43
+//     RK2, hermite              0.69   0.68     0.68
+TEST(limits, areThoseMeasured)
 {
-    for (const scene& s : schemes)
+    for (const scene& s : std::vector<scene>
     {
-        const double limit = limitOf(s);
-        std::printf("%-20s limit %.4f measured %.4f displaced %.4f\n", s.name,
-            limit, measured(s, 2*limit), measured(s, 2*limit, 0.2));
+        {"radial", 0, 0, timeScheme::Euler, 0, 0, 1},
+        {"moment", 1, 0, timeScheme::RK2, 0, 0, 1},
+        {"steep", 3, 0, timeScheme::symplecticEuler, 0, 0, 1},
+        {"hermite", 1, 4.0/3, timeScheme::RK2, 0, 0, 1},
+        {"symplectic", 1, 0, timeScheme::symplecticEuler, 0, 1, 0},
+        {"damped", 1, 0, timeScheme::symplecticEuler, 0.2, 1, 0},
+        {"symplectic hermite", 3, 1, timeScheme::symplecticEuler, 0.2, 1, 0},
+        {"viscous too", 3, 1, timeScheme::symplecticEuler, 0.1, 1, 0.1},
+        {"RK2 hermite", 1, 1, timeScheme::RK2, 0.2, 1, 0.01},
+    })
+    {
+        SCOPED_TRACE(s.name);
+        const double limit = limitInBox(s, 16);
+        const double found = measured(s, 16, 2*limit);
+        EXPECT_NEAR(found/limit, 1, 0.04);
+        EXPECT_LE(limitOf(s), 1.001*limit);
     }
 }
-TEST(lattice, debug)
+
+
+TEST(limits, areThoseMeasuredInSpace)
 {
-    for (int q : {5, 10, 8})
-    for (double dt : {limitOf(schemes[q])*1.05, limitOf(schemes[q])*1.15,limitOf(schemes[q])*1.3})
+    for (const scene& s : std::vector<scene>
     {
-    const scene& s = schemes[q];
-    const domain d = periodicBox(16, 2, 16);
-    const particleSchemes schemes = schemesOf(s, d);
-    fluidProperties fluid = publishedFluid(s.nu);
-    fluid.c = 1;
-    const auto solver = fluidSolver::make("cpu", "double", d, fluid, schemes, noisyState(d, 1, 0));
-    std::printf("%s dt %g theory %g:", s.name, dt, logAmplification(schemes, 2, {dt, s.nu*dt}));
-    double last = solver->monitor().maxSpeed;
-    for (int k = 1; k <= 4000; ++k)
+        {"viscous", 3, 0, timeScheme::Euler, 0, 0, 1, 3},
+        {"symplectic", 3, 1, timeScheme::symplecticEuler, 0.2, 1, 0.02, 3},
+    })
     {
-        solver->step(k*dt, dt);
-        if (k % 500 == 0) { double v = solver->monitor().maxSpeed; std::printf(" %.2g (%.5f)", v, std::log(v/last)/500); last = v; if (v>1e-3) break;}
+        SCOPED_TRACE(s.name);
+        const double limit = limitInBox(s, 8);
+        const double found = measured(s, 8, 2*limit);
+        EXPECT_NEAR(found/limit, 1, 0.05);
     }
-    std::printf("\n");
+}
+
+
+//- Schemes that never damp sound grow slowly: by as much as foreseen
+TEST(limits, growthIsThatMeasured)
+{
+    for (const scene& s : std::vector<scene>
+    {
+        {"Euler", 1, 0, timeScheme::Euler, 0, 1, 0.1},
+        {"RK2", 1, 0, timeScheme::RK2, 0, 1, 0},
+    })
+    {
+        SCOPED_TRACE(s.name);
+        const domain d = boxOf(s, 16);
+        const particleSchemes schemes = schemesOf(s, d);
+        const double dt = 1.4*limitOf(s);
+        fluidProperties fluid = publishedFluid(s.nu);
+        fluid.c = s.c;
+        const auto solver = fluidSolver::make
+        (
+            "cpu", "double", d, fluid, schemes, noisyState(d, 0)
+        );
+        const double before = speedAfter(*solver, dt, 1000);
+        const double rate =
+            std::log(speedAfter(*solver, dt, 1000)/before)/1000;
+        const double foreseen =
+            logAmplification(schemes, 2, {dt, s.nu*dt}, 8);
+        EXPECT_NEAR(rate/foreseen, 1, 0.2);
     }
+}
+
+
+//- Known in closed form
+TEST(limits, knownOnALattice)
+{
+    const scene sound{"", 1, 0, timeScheme::symplecticEuler, 0, 1, 0};
+    EXPECT_NEAR(limitOf(sound), 2, 1e-3);
+    const scene heat{"", 1, 0, timeScheme::Euler, 0, 0, 1};
+    EXPECT_NEAR(limitOf(heat), 0.5, 1e-3);
+    const scene flux{"", 1, 4.0/3, timeScheme::Euler, 0, 0, 1};
+    EXPECT_NEAR(limitOf(flux), 0.375, 1e-3);
+
+    // RK2 grows by (c dt/h)^4/8
+    const scene midpoint{"", 1, 0, timeScheme::RK2, 0, 1, 0};
+    EXPECT_NEAR(limitOf(midpoint), std::pow(8*growth, 0.25), 1e-2);
+}
+
+
+//- With their units
+TEST(limits, scale)
+{
+    const scene s{"", 3, 1, timeScheme::symplecticEuler, 0.2, 1, 0.1};
+    const particleSchemes schemes = schemesOf(s, boxOf(s, 16));
+    const double one = acousticLimit(schemes, {2, 1, 1, 0.1});
+    EXPECT_NEAR(acousticLimit(schemes, {2, 0.01, 20, 0.02}), one*5e-4, 1e-9);
+    EXPECT_NEAR(viscousLimit(schemes, {2, 0.01, 20, 0.02}),
+        viscousLimit(schemes, {2, 1, 0, 1})*5e-3, 1e-9);
+    EXPECT_EQ(viscousLimit(schemes, {2, 1, 1, 0}), HUGE_VAL);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 using namespace gpuFsi;
 
@@ -124,8 +125,11 @@ void checkSteps
     const termLimit least = shortest(termLimits(c.schemes, whole));
     info
     (
-        "    On an even lattice: {:.4g} ({}); gpuFsiFoam refuses a fixed "
-        "deltaT beyond it", least.deltaT, least.term
+        "    {}", least.deltaT < HUGE_VAL ? fmt::format
+        (
+            "On an even lattice {:.4g} ({}): gpuFsiFoam refuses a fixed deltaT "
+            "beyond it", least.deltaT, least.term
+        ) : "Nothing limits deltaT"
     );
     const auto beyond = exceeded(c.schemes, whole, c.deltaT);
     if (beyond && !c.adjusts)
