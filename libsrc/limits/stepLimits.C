@@ -8,9 +8,17 @@ namespace gpuFsi
 
 static constexpr double infinite = std::numeric_limits<double>::infinity();
 
-static stepNumbers numbersOf(const flowScales& s, double dt)
+double growthOf
+(
+    const particleSchemes& schemes,
+    const flowScales& s,
+    double dt
+)
 {
-    return {s.c*dt/s.h, s.nu*dt/(s.h*s.h)};
+    return logAmplification
+    (
+        schemes, s.dimensions, {s.c*dt/s.h, s.nu*dt/(s.h*s.h)}
+    );
 }
 
 
@@ -19,7 +27,8 @@ static double bisect
 (
     const particleSchemes& schemes,
     const flowScales& s,
-    double high
+    double high,
+    double growth
 )
 {
     constexpr int halvings = 24;
@@ -27,7 +36,7 @@ static double bisect
     for (int k = 0; k < halvings; ++k)
     {
         const double middle = 0.5*(low + high);
-        (stable(schemes, s, middle) ? low : high) = middle;
+        (growthOf(schemes, s, middle) > growth ? high : low) = middle;
     }
     return low;
 }
@@ -36,18 +45,29 @@ static double bisect
 //- Beyond these numbers every scheme is unstable
 static constexpr stepNumbers beyond{5, 4};
 
-double acousticLimit(const particleSchemes& schemes, const flowScales& s)
+double acousticLimit
+(
+    const particleSchemes& schemes,
+    const flowScales& s,
+    double growth
+)
 {
-    return s.c > 0 ? bisect(schemes, s, beyond.acoustic*s.h/s.c) : infinite;
+    return s.c > 0
+      ? bisect(schemes, s, beyond.acoustic*s.h/s.c, growth) : infinite;
 }
 
 
-double viscousLimit(const particleSchemes& schemes, const flowScales& s)
+double viscousLimit
+(
+    const particleSchemes& schemes,
+    const flowScales& s,
+    double growth
+)
 {
     flowScales still = s;
     still.c = 0;
     return s.nu > 0
-      ? bisect(schemes, still, beyond.diffusion*s.h*s.h/s.nu) : infinite;
+      ? bisect(schemes, still, beyond.diffusion*s.h*s.h/s.nu, growth) : infinite;
 }
 
 
@@ -68,10 +88,5 @@ double springLimit(double omegaMax, int subSteps)
     return omegaMax > 0 ? 2*subSteps/omegaMax : infinite;
 }
 
-
-bool stable(const particleSchemes& schemes, const flowScales& s, double dt)
-{
-    return logAmplification(schemes, s.dimensions, numbersOf(s, dt)) <= growth;
-}
 
 } // namespace gpuFsi

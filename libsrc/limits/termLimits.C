@@ -33,13 +33,14 @@ std::vector<termLimit> plainLimits(const caseScales& s)
 std::vector<termLimit> termLimits
 (
     const particleSchemes& schemes,
-    const caseScales& s
+    const caseScales& s,
+    double growth
 )
 {
     std::vector<termLimit> limits
     {
-        {"acoustic", acousticLimit(schemes, s.flow)},
-        {"viscous", viscousLimit(schemes, s.flow)}
+        {"acoustic", acousticLimit(schemes, s.flow, growth)},
+        {"viscous", viscousLimit(schemes, s.flow, growth)}
     };
     const std::vector<termLimit> plain = plainLimits(s);
     limits.insert(limits.end(), plain.begin(), plain.end());
@@ -93,7 +94,8 @@ std::optional<termLimit> exceeded
 (
     const particleSchemes& schemes,
     const caseScales& s,
-    double dt
+    double dt,
+    double growth
 )
 {
     std::vector<termLimit> limits = plainLimits(s);
@@ -112,10 +114,10 @@ std::optional<termLimit> exceeded
             limits.end()
         );
     }
-    if (s.flow.c > 0 && !stable(schemes, s.flow, dt))
+    if (s.flow.c > 0 && growthOf(schemes, s.flow, dt) > growth)
     {
-        limits.push_back({"viscous", viscousLimit(schemes, s.flow)});
-        limits.push_back({"acoustic", acousticLimit(schemes, s.flow)});
+        limits.push_back({"viscous", viscousLimit(schemes, s.flow, growth)});
+        limits.push_back({"acoustic", acousticLimit(schemes, s.flow, growth)});
     }
     const termLimit least = shortest(limits);
     return dt > least.deltaT*(1 + 1e-6)

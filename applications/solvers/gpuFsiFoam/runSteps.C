@@ -39,6 +39,7 @@ public:
 
     void run()
     {
+        checkDeltaT();
         if (ranks_.parallel())
         {
             functions_.dropLedgers();
@@ -52,7 +53,6 @@ public:
             const hostState whole = wholeState();
             onMaster([&] { functions_.start(whole, report_.info()); });
         }
-        checkDeltaT();
         while (time_.run())
         {
             stepping_.adjust([&] { return solver_.monitor(); });

@@ -73,14 +73,27 @@ caseScales stepControl::scalesOf(const flowMonitor& m) const
 }
 
 
-std::string stepControl::describe(const termLimit& l) const
+std::string stepControl::describe
+(
+    const termLimit& l,
+    const caseScales& s
+) const
 {
-    return fmt::format
+    std::string text = fmt::format
     (
-        "deltaT {:.6g} is beyond the {} limit {:.6g}{}", time_.deltaT(),
-        l.term, l.deltaT,
-        scales_.flow.c > 0 ? " of " + schemes_.describe() : ""
+        "deltaT {:.6g} is beyond the {} limit {:.6g}", time_.deltaT(), l.term,
+        l.deltaT
     );
+    const double grows =
+        s.flow.c > 0 ? growthOf(schemes_, s.flow, time_.deltaT()) : 0;
+    if (grows > slowGrowth)
+    {
+        text += fmt::format
+        (
+            ": the fastest waves grow {:.4g}-fold a step", std::exp(grows)
+        );
+    }
+    return text;
 }
 
 
@@ -102,21 +115,27 @@ void stepControl::start(const flowMonitor& m)
         return;
     }
     checked_ = time_.deltaT();
-    const auto beyond = exceeded(schemes_, scalesOf(m), checked_);
-    if (!beyond)
-    {
-        return;
-    }
-    if (!controls_.allowUnstable)
+    const caseScales scales = scalesOf(m);
+    const auto beyond = exceeded(schemes_, scales, checked_, fastGrowth);
+    if (beyond && !controls_.allowUnstable)
     {
         throw userError
         (
-            describe(*beyond), time_.controlDict().where("deltaT"),
+            describe(*beyond, scales), time_.controlDict().where("deltaT"),
             "Take a smaller deltaT, or 'adjustTimeStep yes'; checkParticles "
             "tells all limits. With 'allowUnstable yes' it runs all the same."
         );
     }
-    warning(describe(*beyond));
+    warnBeyond(scales);
+}
+
+
+void stepControl::warnBeyond(const caseScales& scales) const
+{
+    if (const auto beyond = exceeded(schemes_, scales, checked_))
+    {
+        warning(describe(*beyond, scales));
+    }
 }
 
 
@@ -164,10 +183,7 @@ void stepControl::follow(const flowMonitor& m)
 void stepControl::warnOfChange(const flowMonitor& m)
 {
     checked_ = time_.deltaT();
-    if (const auto beyond = exceeded(schemes_, scalesOf(m), checked_))
-    {
-        warning(describe(*beyond));
-    }
+    warnBeyond(scalesOf(m));
 }
 
 } // namespace gpuFsi

@@ -75,6 +75,7 @@ expect "directories that have time $name" \
 # A run that breaks down on one rank
 case3 breaks
 setEntry breaks/system/controlDict deltaT 0.05
+echo "allowUnstable yes;" >> "$work/breaks/system/controlDict"
 setEntry breaks/system/controlDict endTime 5
 fails breaks 3 "broke down"
 

@@ -54,6 +54,15 @@ expect "vortex on 7 ranks: refreshes" \
     "$(awk '/^Neighbour refreshes/ { print $4 }' "$work/vortex/log.ranks7")" \
     ">=" 5
 
+# A step that follows the flow
+copyCase taylorGreen2D following
+setEntry following/system/resolution n 32
+shorten following 60 30
+setEntry following/system/controlDict writeControl adjustableRunTime
+echo "adjustTimeStep yes; maxCo 0.3;" >> "$work/following/system/controlDict"
+seedAndRun following
+sameOn following 3 hilbert "$every"
+
 copyCase taylorCouette turning
 shorten turning 60 30
 seedAndRun turning

@@ -20,6 +20,8 @@ const std::vector<breakage> values
         "deltaT", "number"},
     {"deltaT infinite", solver, set(file, "deltaT", "1e999"),
         "1e999", "Magnitudes lie between"},
+    {"deltaT beyond stability", solver, set(file, "deltaT", "0.5"),
+        "deltaT 0.5 is beyond the viscous limit", "allowUnstable yes"},
     {"deltaT missing", solver, erase(file, "deltaT"),
         "Entry 'deltaT' not found", "Add the entry 'deltaT'"},
     {"deltaT misspelt", solver, replace(file, "deltaT", "detlaT"),

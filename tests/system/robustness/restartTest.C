@@ -173,6 +173,30 @@ TEST(restart, stepThatAdjustsItself)
 }
 
 
+//- By a limit that changes with the flow and with time
+TEST(restart, stepThatFollowsTheForce)
+{
+    systemCase c = systemCase::piston();
+    c.set(control, "endTime", "0.09");
+    c.set(control, "writeControl", "adjustableRunTime");
+    c.set(control, "writeInterval", "0.03");
+    c.add(control, "adjustTimeStep yes; logInterval 1;");
+    c.add
+    (
+        schemes,
+        "areaWeights moment; timeScheme symplecticEuler; dissipation 0.1;"
+    );
+    c.write("constant/g", "value (0 \"80*cos(60*t)\" 0);\n");
+    c.seed();
+    for (const char* precision : {"single", "double"})
+    {
+        c.set(control, "precision", precision);
+        expectSameFromEveryTime(c);
+    }
+    EXPECT_TRUE(c.run(app::gpuFsiFoam).says("limited by bodyForce"));
+}
+
+
 TEST(restart, oddStepAndOffset)
 {
     systemCase c = systemCase::piston();

@@ -106,6 +106,7 @@ std::vector<std::string> systemCase::words
       : program == app::gpuFsiFoam ? GPU_FSI_FOAM
       : program == app::decomposeParticles ? DECOMPOSE_PARTICLES
       : program == app::reconstructParticles ? RECONSTRUCT_PARTICLES
+      : program == app::checkParticles ? CHECK_PARTICLES
       : PARTICLES_TO_VTK
     };
     if (std::find(options.begin(), options.end(), "-case") == options.end())

@@ -164,6 +164,7 @@ TEST(breakdown, saysWhereAndKeepsTheStateAside)
         // Far beyond the limits of sound and of viscosity
         c.set(control, "startFrom", "latestTime");
         c.set(control, "deltaT", "50");
+        c.add(control, "allowUnstable yes;");
         c.set(control, "endTime", "100000");
         c.set(control, "writeInterval", "1000000");
         const outcome o = c.run(app::gpuFsiFoam);

@@ -71,7 +71,7 @@ double speedAfter(fluidSolver& solver, double dt, int steps)
     return speed;
 }
 
-//- Does the noise grow by more than `growth` a step?
+//- Does the noise grow by more than slowGrowth a step?
 bool grows(const scene& s, int side, double dt, double displace)
 {
     const domain d = boxOf(s, side);
@@ -91,7 +91,7 @@ bool grows(const scene& s, int side, double dt, double displace)
             return true;
         }
         const double after = speedAfter(*solver, dt, steps);
-        return after > loud || after > std::exp(growth*steps)*before;
+        return after > loud || after > std::exp(slowGrowth*steps)*before;
     }
     catch (const brokenState&)
     {
@@ -129,7 +129,7 @@ double limitInBox(const scene& s, int side)
         return logAmplification
         (
             schemes, s.dimensions, {s.c*dt, s.nu*dt}, side/2
-        ) > growth;
+        ) > slowGrowth;
     });
 }
 
@@ -235,7 +235,7 @@ TEST(limits, knownOnALattice)
 
     // RK2 grows by (c dt/h)^4/8
     const scene midpoint{"", 1, 0, timeScheme::RK2, 0, 1, 0};
-    EXPECT_NEAR(limitOf(midpoint), std::pow(8*growth, 0.25), 1e-2);
+    EXPECT_NEAR(limitOf(midpoint), std::pow(8*slowGrowth, 0.25), 1e-2);
 }
 
 

@@ -26,11 +26,11 @@ struct tally
 };
 
 //- Spacings: neighbours farther away fill no hole. One lattice place may be
-//  empty, four may not.
-constexpr double far = 2.2;
+//  empty (beside walls, where the search ends at 2.2, none), four may not.
+constexpr double far = 2.25;
 
-//- Is there a neighbour along d, within 45 degrees, or a wall that d leads
-//  behind?
+//- Is there a neighbour along d, nearer to it than 45 degrees, or a wall that d
+//  leads behind?
 bool fills
 (
     const neighbourEntry& n,
@@ -39,7 +39,7 @@ bool fills
 )
 {
     const double length = std::sqrt(dot(d, d));
-    const double cosine = std::sqrt(0.5) - 1e-3;
+    const double cosine = std::sqrt(0.5) + 1e-3;
     const bool wall = std::size_t(n.id) < normals.size();
     return n.u < far
      &&

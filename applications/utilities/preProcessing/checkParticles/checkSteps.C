@@ -97,6 +97,51 @@ void printLocal
     printRow("deltaT", least, radial, "");
 }
 
+//- On an even lattice, as gpuFsiFoam does
+void checkDeltaT
+(
+    const checkedCase& c,
+    const caseScales& whole,
+    findings& found
+)
+{
+    const termLimit least = shortest(termLimits(c.schemes, whole));
+    info
+    (
+        "    On an even lattice: {}", least.deltaT < HUGE_VAL
+      ? fmt::format("{:.4g} ({})", least.deltaT, least.term) : "no limit"
+    );
+    if (c.adjusts)
+    {
+        found.good("deltaT follows the limits (adjustTimeStep)");
+        return;
+    }
+    const auto refused = exceeded(c.schemes, whole, c.deltaT, fastGrowth);
+    if (refused)
+    {
+        found.bad
+        (
+            fmt::format
+            (
+                "deltaT {:.6g} of system/controlDict is beyond the limit "
+                "({}): gpuFsiFoam refuses it", c.deltaT, refused->term
+            )
+        );
+    }
+    else if (exceeded(c.schemes, whole, c.deltaT))
+    {
+        info
+        (
+            "    deltaT {:.6g} of system/controlDict is beyond it: waves grow "
+            "slowly", c.deltaT
+        );
+    }
+    else
+    {
+        found.good(fmt::format("deltaT {:.6g} within the limits", c.deltaT));
+    }
+}
+
 } // namespace
 
 
@@ -121,34 +166,5 @@ void checkSteps
             "stable below {:.4g} s", springLimit(solid.omegaMax)
         );
     }
-    const caseScales whole = worst.wholeCase(solid);
-    const termLimit least = shortest(termLimits(c.schemes, whole));
-    info
-    (
-        "    {}", least.deltaT < HUGE_VAL ? fmt::format
-        (
-            "On an even lattice {:.4g} ({}): gpuFsiFoam refuses a fixed deltaT "
-            "beyond it", least.deltaT, least.term
-        ) : "Nothing limits deltaT"
-    );
-    const auto beyond = exceeded(c.schemes, whole, c.deltaT);
-    if (beyond && !c.adjusts)
-    {
-        found.bad
-        (
-            fmt::format
-            (
-                "deltaT {:.6g} of system/controlDict is beyond the limit "
-                "{:.4g} ({})", c.deltaT, beyond->deltaT, beyond->term
-            )
-        );
-    }
-    else
-    {
-        found.good
-        (
-            c.adjusts ? "deltaT follows the limits (adjustTimeStep)"
-              : fmt::format("deltaT {:.6g} within the limits", c.deltaT)
-        );
-    }
+    checkDeltaT(c, worst.wholeCase(solid), found);
 }
