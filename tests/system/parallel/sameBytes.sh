@@ -59,6 +59,7 @@ copyCase taylorGreen2D following
 setEntry following/system/resolution n 32
 shorten following 60 30
 setEntry following/system/controlDict writeControl adjustableRunTime
+setEntry following/system/controlDict writeInterval '#eval{ 30*$deltaT }'
 echo "adjustTimeStep yes; maxCo 0.3;" >> "$work/following/system/controlDict"
 seedAndRun following
 sameOn following 3 hilbert "$every"
