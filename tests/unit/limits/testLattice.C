@@ -194,6 +194,27 @@ TEST(limits, areThoseMeasuredInSpace)
 }
 
 
+//- Off the lattice three quarters of the limit hold, with dissipation where
+//  there is sound
+TEST(limits, displacedParticles)
+{
+    for (const scene& s : std::vector<scene>
+    {
+        {"moment", 1, 0, timeScheme::RK2, 0, 0, 1},
+        {"steep", 3, 0, timeScheme::symplecticEuler, 0, 0, 1},
+        {"hermite", 1, 4.0/3, timeScheme::RK2, 0, 0, 1},
+        {"damped", 1, 0, timeScheme::symplecticEuler, 0.2, 1, 0},
+        {"symplectic hermite", 3, 1, timeScheme::symplecticEuler, 0.2, 1, 0},
+        {"RK2 hermite", 1, 1, timeScheme::RK2, 0.2, 1, 0.01},
+    })
+    {
+        SCOPED_TRACE(s.name);
+        EXPECT_FALSE(grows(s, 16, 0.75*limitOf(s), 0.2));
+        EXPECT_TRUE(grows(s, 16, 1.25*limitOf(s), 0.2));
+    }
+}
+
+
 //- Schemes that never damp sound grow slowly: by as much as foreseen
 TEST(limits, growthIsThatMeasured)
 {
