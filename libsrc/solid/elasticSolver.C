@@ -37,17 +37,18 @@ std::unique_ptr<elasticSolver> elasticSolver::make
     const std::string& backend,
     const solidMesh& mesh,
     const solidProperties& properties,
-    const solidState& initial
+    const solidState& initial,
+    const contactWalls& walls
 )
 {
     checkState(mesh, initial);
     if (useCuda(backend))
     {
 #ifdef FSI_HAVE_CUDA
-        return newCudaSolid(mesh, properties, initial);
+        return newCudaSolid(mesh, properties, initial, walls);
 #endif
     }
-    return newCpuSolid(mesh, properties, initial);
+    return newCpuSolid(mesh, properties, initial, walls);
 }
 
 } // namespace gpuFsi
