@@ -7,6 +7,7 @@ contactWalls touchedWalls(const hostState& s, const fluidProperties& fluid)
 {
     contactWalls walls;
     walls.spacing = s.h;
+    walls.fluidSpacing = s.walls.size() == 0 ? 0 : s.h;
     walls.time = s.time;
     for (std::size_t w = 0; w < s.walls.size(); ++w)
     {

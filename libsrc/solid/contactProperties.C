@@ -1,18 +1,13 @@
 #include "solid/contactProperties.H"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <limits>
 
 namespace gpuFsi
 {
 
 static constexpr dimensionSet dimLength{0, 1, 0, 0, 0, 0, 0};
-
-
-static double lengthOf(const dictionary& d, const char* key)
-{
-    return d.found(key) ? d.getPositive(key, dimLength) : 0;
-}
 
 
 contactProperties contactProperties::read
@@ -42,8 +37,19 @@ contactProperties contactProperties::read
     p.friction = d.getNumberOrDefault("friction", 0, 0, unlimited);
     p.damping = d.getNumberOrDefault("damping", 0, 0, 1);
     p.walls = d.getOrDefault("walls", true);
-    p.gap = lengthOf(d, "gap");
-    p.margin = lengthOf(d, "margin");
+    if (d.found("gap"))
+    {
+        p.gap = d.getDimensioned("gap", dimLength);
+    }
+    if (p.gap && !(*p.gap >= 0))
+    {
+        throw userError
+        (
+            fmt::format("gap is {:g} m, but must not be negative", *p.gap),
+            d.where("gap")
+        );
+    }
+    p.margin = d.found("margin") ? d.getPositive("margin", dimLength) : 0;
     return p;
 }
 

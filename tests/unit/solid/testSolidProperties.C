@@ -109,12 +109,13 @@ TEST(solidProperties, contactIsReadAndChecked)
     EXPECT_EQ(p.friction, 0.3);
     EXPECT_EQ(p.damping, 0.1);
     EXPECT_FALSE(p.walls);
-    EXPECT_EQ(p.gap, 0.5);
+    EXPECT_EQ(p.gap.value(), 0.5);
+    EXPECT_FALSE(contactOf("contact {}").gap.has_value());
     EXPECT_EQ(p.margin, 0.25);
     EXPECT_TRUE(complains("contact { stiffness 0; }", "stiffness"));
     EXPECT_TRUE(complains("contact { friction -0.1; }", "friction"));
     EXPECT_TRUE(complains("contact { damping 2; }", "damping"));
-    EXPECT_TRUE(complains("contact { gap -1; }", "must be positive"));
+    EXPECT_TRUE(complains("contact { gap -1; }", "must not be negative"));
     EXPECT_TRUE(complains("contact { margin 0; }", "must be positive"));
     EXPECT_TRUE
     (
