@@ -109,7 +109,10 @@ contactReach contactReach::of
 )
 {
     const double gap = p.gap.value_or(0.5*walls.fluidSpacing);
-    return {2*s.largestSpacing() + gap, 1.5*walls.spacing, gap};
+    // Round the edge of a wall of coarser particles these must be seen, too
+    const double h =
+        std::max(s.largestSpacing(), walls.empty() ? 0 : walls.spacing);
+    return {2*h + gap, 1.5*walls.spacing, gap};
 }
 
 

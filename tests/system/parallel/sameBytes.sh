@@ -73,6 +73,20 @@ seedAndRun square
 sameOn square 3 hilbert
 sameOn square 4 simple "$every"
 
+# A block that comes to rest on the floor of its tank
+copyCase sinkingBlock block
+setEntry block/system/seedParticlesDict rows 16
+sed -i 's/min     (0.375 0.25 -1)/min     (0.375 0.0625 -1)/' \
+    "$work/block/system/seedParticlesDict"
+sed -i '/^    ledger/,/^    }/d' "$work/block/system/controlDict"
+shorten block 600 300
+seedAndRun block
+expect "particles of the block that touch the floor" \
+    "$(grep -c '^(.* [1-9]' "$work/block.one"/*/lagrangian/solid/contactForce |
+        awk -F: '{ n = $2 > n ? $2 : n } END { print n }')" ">=" 3
+sameOn block 2 simple
+sameOn block 3 hilbert "$every"
+
 # What function objects wrote, too
 expect "tables of square that differ" \
     "$(diff -rq "$work/square/postProcessing" \
