@@ -60,18 +60,22 @@ struct collision
 };
 
 
-//- A bar of length 1 that a wall at x = 0 holds against gravity
+//- A bar of length 1 that a wall at x = 0 holds against gravity, seeded
+//  `above` it
 struct restingBar
 {
     double sunk;        // m, its far end
     double reaction;    // over its weight
 
-    explicit restingBar(const std::string& contact)
+    explicit restingBar(const std::string& contact, double above = 0)
     {
         const int cells = 32;
         const double h = 1.0/cells, g = 0.01;
         solidMesh mesh;
-        addBlock(mesh, block(2, cells, 4, 0, h, 0, true), {}, "bar");
+        addBlock
+        (
+            mesh, block(2, cells, 4, 0, h, 0, true), {above, 0, 0}, "bar"
+        );
         contactWalls walls;
         addWall(walls, 2, {}, {1, 0, 0}, {0, 1, 0}, h, 8);
         const auto solver = elasticSolver::make
@@ -231,8 +235,10 @@ TEST(contact, barRestsOnAWall)
         EXPECT_NEAR(r.sunk/(bar + bar/32/factor), 1, 0.003);
         EXPECT_NEAR(r.reaction, 1, 1e-9);
     }
-    const restingBar apart("gap 0.01;");
+    const restingBar apart("gap 0.01;", 0.02);
     EXPECT_NEAR(apart.sunk + 0.01, restingBar("").sunk, 1e-6);
+    const restingBar seededOn("gap 0.01;");
+    EXPECT_NEAR(seededOn.sunk, restingBar("").sunk, 1e-6);
 }
 
 
