@@ -8,6 +8,7 @@ set y2range [-0.3:0]
 set y2label "its speed  [m/s]"
 set ytics nomirror
 set y2tics
+set key right center
 set grid lt 1 lc rgb "#dddddd"
 file = "postProcessing/corners/0/displacement.dat"
 plot file using 1:(0.25 + $3) with lines lw 2 lc rgb "#440154" \
