@@ -50,30 +50,25 @@ damage measuring(const char* entry)
     };
 }
 
-//- With a dictionary `contact`
-damage touching(const char* entries)
-{
-    return withBall
-    (
-        add(solids, std::string("contact\n{\n    ") + entries + "\n}\n")
-    );
-}
-
 const std::vector<breakage> contact
 {
-    {"friction negative", solver, touching("friction -0.1;"),
+    {"friction negative", solver,
+        withBall(add(solids, "contact { friction -0.1; }")),
         "friction", "-0.1"},
-    {"contact without stiffness", solver, touching("stiffness 0;"),
+    {"contact without stiffness", solver,
+        withBall(add(solids, "contact { stiffness 0; }")),
         "stiffness", "0.001"},
-    {"damping over critical", solver, touching("damping 2;"), "damping", "2"},
-    {"gap negative", solver, touching("gap -0.1;"),
+    {"damping over critical", solver,
+        withBall(add(solids, "contact { damping 2; }")), "damping", "2"},
+    {"gap negative", solver, withBall(add(solids, "contact { gap -0.1; }")),
         "gap is -0.1 m", "must not be negative"},
-    {"gap of a velocity", solver, touching("gap [0 1 -1 0 0 0 0] 1;"),
+    {"gap of a velocity", solver,
+        withBall(add(solids, "contact { gap [0 1 -1 0 0 0 0] 1; }")),
         "dimensions", "[0 1 0"},
-    {"margin zero", solver, touching("margin 0;"), "margin",
-        "must be positive"},
+    {"margin zero", solver, withBall(add(solids, "contact { margin 0; }")),
+        "margin", "must be positive"},
     {"contact in implicit steps", solver,
-        touching("}\nstepping implicit;\nrest\n{"),
+        withBall(add(solids, "stepping implicit; contact {}")),
         "Implicit steps have no contact", "stepping explicit"},
     {"contact a number", solver, withBall(add(solids, "contact 1;")),
         "contact", "dictionary"},
