@@ -87,7 +87,7 @@ std::size_t writeSolidSet
     c.addScalar("vonMises", s.vonMises);
     addTensor(c, "stress", s.stress);
     addTensor(c, "strain", s.strain);
-    if (!s.contact.empty())
+    if (s.touch)
     {
         c.addVector("contactForce", s.contact);
     }
