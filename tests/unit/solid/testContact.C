@@ -118,8 +118,9 @@ struct obliqueImpact
             "cpu", mesh,
             propertiesOf
             (
-                mesh, "one { rho 1; E 1; nu 0.3; } two { rho 2; E 3; } contact {"
-              + contact + "} subSteps 2;"
+                mesh,
+                "one { rho 1; E 1; nu 0.3; } two { rho 2; E 3; }"
+                " contact {" + contact + "} subSteps 2;"
             ),
             moving(mesh, {{0.1, 0.04, 0}, {-0.1, 0, 0}})
         );
