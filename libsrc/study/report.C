@@ -203,7 +203,9 @@ std::string markdownOf
         text += "## Failed\n\n";
         for (const std::string& f : failures)
         {
-            text += "- " + f.substr(0, f.find('\n')) + "\n";
+            // With the first line of what the program said
+            const std::size_t end = f.find('\n');
+            text += "- " + f.substr(0, f.find('\n', end + 1)) + "\n";
         }
     }
     return text;

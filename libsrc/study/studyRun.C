@@ -131,6 +131,7 @@ void studyRun::dropFiner(const member& slow)
                 m.what.name + ": left out, as " + slow.what.name
               + ", which is coarser, took longer than timeLimit"
             );
+            info("{}", failures_.back());
         }
     }
 }

@@ -7,8 +7,10 @@
 
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <fmt/format.h>
 #include <fstream>
+#include <sstream>
 
 namespace gpuFsi
 {
@@ -51,14 +53,34 @@ std::string bytesOf(const fs::path& file)
 }
 
 
-//- The end of a log, for a message
-std::string tail(const fs::path& log)
+//- The last lines of a log, or those after its last FOAM FATAL, up to five
+//  that are not empty, for a message
+std::string lastWords(const fs::path& log)
 {
     const std::string text = bytesOf(log);
-    const std::size_t most = 600;
-    std::size_t from = text.size() > most ? text.size() - most : 0;
-    from = from ? std::min(text.find('\n', from), text.size() - 1) + 1 : 0;
-    return text.substr(from);
+    const std::size_t fatal = text.rfind("FOAM FATAL");
+    std::istringstream stream
+    (
+        fatal == text.npos ? text : text.substr(text.find('\n', fatal))
+    );
+    std::deque<std::string> lines;
+    for (std::string line; std::getline(stream, line);)
+    {
+        if (!line.empty() && (fatal == text.npos || lines.size() < 5))
+        {
+            lines.push_back(line);
+        }
+        if (lines.size() > 5)
+        {
+            lines.pop_front();
+        }
+    }
+    std::string all;
+    for (const std::string& line : lines)
+    {
+        all += "\n    " + line;
+    }
+    return all;
 }
 
 } // namespace
@@ -197,7 +219,7 @@ double variantDirectory::printedNumber() const
     {
         throw userError
         (
-            "The command of error printed no number:\n" + tail(output),
+            "The command of error printed no number:" + lastWords(output),
             {output.string()}
         );
     }
@@ -221,7 +243,7 @@ runRecord variantDirectory::run() const
               ? fmt::format("took longer than timeLimit, {:g} s",
                     study_.timeLimit)
               : fmt::format("ended with code {}", ran.code))
-          + "\n" + tail(log), {log.string()}
+          + ":" + lastWords(log), {log.string()}
         );
     }
     runRecord r;
