@@ -58,7 +58,6 @@ gridRun::gridRun(const fs::path& casePath)
     }
     fill(expression(settings_.rho, settings_.rhoWhere));
     writeStart();
-    time_ = std::make_unique<Time>(casePath);
     scheme_ = gridScheme::selection::make
     (
         "grid scheme", settings_.scheme, settings_.schemeWhere, state_,
@@ -101,10 +100,11 @@ void gridRun::writeStart()
     space_.write(casePath_);
     fs::remove_all(casePath_/"0");
     fs::create_directories(casePath_/"0");
+    time_ = std::make_unique<Time>(casePath_);
     writeState
     (
         casePath_/"0", particles(),
-        [this](double rho) { return fluid_.pressure(rho); }, {}
+        [this](double rho) { return fluid_.pressure(rho); }, time_->writing()
     );
 }
 
