@@ -29,7 +29,11 @@ variant make(const studyDict& s, const std::vector<std::size_t>& choice)
     {
         const parameter& p = s.parameters[i];
         const std::string& label = p.choices[choice[i]].label;
-        v.name += (i ? "_" : "") + p.name + "=" + plain(label);
+        if (p.choices.size() == 1 && i != s.resolution)
+        {
+            continue;    // tells nothing apart
+        }
+        v.name += (v.name.empty() ? "" : "_") + p.name + "=" + plain(label);
         if (i == s.resolution)
         {
             v.resolution = label;

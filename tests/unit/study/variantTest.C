@@ -135,6 +135,23 @@ TEST(variants, areTheProductWithTheResolutionFastest)
 }
 
 
+TEST(variants, areNotNamedAfterWhatHasOneChoice)
+{
+    const smallStudy c;
+    const auto all = allVariants
+    (
+        c.study
+        (
+            std::string(rest) + "parameters { a { values (1); }"
+            " h { values (2); } b { values (3 4); } } resolution h;"
+        )
+    );
+    ASSERT_EQ(all.size(), 2u);
+    EXPECT_EQ(all[1].name, "h=2_b=4");
+    EXPECT_EQ(all[1].curve, "4");
+}
+
+
 TEST(variants, rulesSkip)
 {
     const smallStudy c;
