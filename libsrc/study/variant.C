@@ -96,9 +96,9 @@ bool advance(const studyDict& s, std::vector<std::size_t>& choice)
 } // namespace
 
 
-std::map<std::string, std::string> variant::changes(const studyDict& s) const
+std::vector<variant::change> variant::changes(const studyDict& s) const
 {
-    std::map<std::string, std::string> texts;
+    std::vector<change> all;
     for (std::size_t i = 0; i < choice.size(); ++i)
     {
         const parameter& p = s.parameters[i];
@@ -107,11 +107,11 @@ std::map<std::string, std::string> variant::changes(const studyDict& s) const
             const std::string& value = p.choices[choice[i]].values[e];
             if (value != "asIs")
             {
-                texts[p.entries[e].file] += p.entries[e].assignment(value);
+                all.push_back({p.entries[e], value});
             }
         }
     }
-    return texts;
+    return all;
 }
 
 

@@ -3,6 +3,7 @@
 #include "case/caseFileIO.H"
 #include "study/caseCopy.H"
 #include "study/commandRun.H"
+#include "study/entryEdit.H"
 #include "study/machine.H"
 
 #include <cmath>
@@ -38,9 +39,9 @@ std::string settingsOf
     {
         text += setting + "\n";
     }
-    for (const auto& [file, change] : v.changes(s))
+    for (const variant::change& c : v.changes(s))
     {
-        text += file + ":\n" + change;
+        text += c.entry.file + ": " + c.entry.assignment(c.value);
     }
     return text;
 }
@@ -135,23 +136,6 @@ std::vector<runRecord> variantDirectory::earlier() const
 }
 
 
-void variantDirectory::append
-(
-    const std::string& file,
-    const std::string& text
-) const
-{
-    std::ofstream stream(path_/file, std::ios::app);
-    stream << "\n// Of the study's variant\n" << text;
-    stream.close();
-    if (!stream)
-    {
-        throw userError("Cannot write " + (path_/file).string());
-    }
-    dictionary::fromFile(path_/file);
-}
-
-
 void variantDirectory::prepare() const
 {
     const std::vector<runRecord> runs = earlier();
@@ -167,9 +151,9 @@ void variantDirectory::prepare() const
     {
         keep(runs);
     }
-    for (const auto& [file, text] : variant_.changes(study_))
+    for (const variant::change& c : variant_.changes(study_))
     {
-        append(file, text);
+        setEntry(path_/c.entry.file, c.entry, c.value);
     }
 }
 
