@@ -156,6 +156,10 @@ std::string errorLabel(const studyDict& s)
     {
         return "difference from its own finest run, relative";
     }
+    if (e.direct)
+    {
+        return "error";
+    }
     if (!e.command.empty())
     {
         return fmt::format("relative difference from {:.6g}", e.exact);

@@ -36,16 +36,17 @@ studyDict::errorSource readError(const dictionary& dict)
     }
     e.command = dict.get<std::string>("command");
     e.finest = dict.getOrDefault<bool>("finest", false);
-    if (e.finest == dict.found("exact"))
+    e.direct = dict.getOrDefault<bool>("direct", false);
+    if (int(e.finest) + int(e.direct) + int(dict.found("exact")) != 1)
     {
         throw userError
         (
             "The number that command prints needs something to be compared "
             "with", dict.where("command"),
-            "Give either exact <number>; or finest yes;."
+            "Give one of exact <number>; finest yes; direct yes;."
         );
     }
-    if (!e.finest)
+    if (dict.found("exact"))
     {
         e.exact = dict.getNumber("exact", -huge, huge);
         if (e.exact == 0)

@@ -30,7 +30,8 @@ std::string settingsOf
 {
     std::string text = "case " + caseBytes + "\nerror "
       + s.error.functionObject + " " + s.error.norm + s.error.command
-      + fmt::format(" {} {:.17g}\n", s.error.finest, s.error.exact);
+      + fmt::format(" {} {} {:.17g}\n", s.error.direct, s.error.finest,
+            s.error.exact);
     for (const std::string& command : s.commands)
     {
         text += "command " + command + "\n";
@@ -239,7 +240,7 @@ runRecord variantDirectory::run() const
     {
         r = recordOfLog(log);
         const double value = printedNumber();
-        r.error = study_.error.finest
+        r.error = study_.error.exact == 0
           ? value : std::abs(value/study_.error.exact - 1);
     }
     if (!std::isfinite(r.error))

@@ -191,6 +191,14 @@ TEST(studyDict, saysWhatIsWrong)
     );
     expectIn
     (
+        "Give one of",
+        wrong
+        (
+            "commands (\"x\"); error { command \"y\"; exact 1; finest yes; }"
+        )
+    );
+    expectIn
+    (
         "exact is 0",
         wrong("commands (\"x\"); error { command \"y\"; exact 0; }")
     );
