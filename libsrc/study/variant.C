@@ -1,5 +1,7 @@
 #include "study/variant.H"
 
+#include "dictionary/number.H"
+
 #include <algorithm>
 
 namespace gpuFsi
@@ -41,7 +43,11 @@ variant make(const studyDict& s, const std::vector<std::size_t>& choice)
         }
         else
         {
-            v.curve += (v.curve.empty() ? "" : ", ") + label;
+            // A number alone would say nothing
+            double number = 0;
+            const bool bare = readNumber(label, number);
+            v.curve += (v.curve.empty() ? "" : ", ")
+              + (bare ? p.name + " " : "") + label;
         }
     }
     if (v.curve.empty())

@@ -40,6 +40,33 @@ fails "'abc'" "$run $error
 fails "to compare with" "$run $error parameters { $h }" -compare nowhere
 fails "Invalid option" "$run $error parameters { $h }" -comparison x
 
+# Ended from outside: so are its commands; the next call goes on
+echo "repeats 2; $error parameters { h {
+    entry \"system/seedParticlesDict:spacing\"; values (1.25); } }
+    commands (\"seedParticles\" \"gpuFsiFoam\"
+    \"if [ -f ../slow ]; then echo \\$\\$ > ../child; exec sleep 60; fi\");" \
+    > "$work/pulse/system/studyDict"
+rm -rf "$work/pulse/study"
+mkdir "$work/pulse/study"
+touch "$work/pulse/study/slow"
+"$program" -case "$work/pulse" > "$work/log" 2>&1 &
+id=$!
+for ((i = 0; i < 200; ++i))
+do
+    [ -s "$work/pulse/study/child" ] && break
+    sleep 0.1
+done
+kill -TERM $id
+wait $id
+expect "exit code after SIGTERM" $? "==" 143
+sleep 0.5
+expect "commands left running" \
+    "$(kill -0 "$(cat "$work/pulse/study/child")" 2> /dev/null && echo 1 \
+        || echo 0)" "==" 0
+rm "$work/pulse/study/slow"
+"$program" -case "$work/pulse" > "$work/log" 2>&1
+expect "exit code after going on" $? "==" 0
+
 # Slips that do not stop a study are warned of
 echo "$run $error parameters { $h } repeat 3;
     parameters { other { entry \"system/particleSchemes:face\";

@@ -110,7 +110,7 @@ TEST(variants, areTheProductWithTheResolutionFastest)
     ASSERT_EQ(all.size(), 8u);
     EXPECT_EQ(all[0].name, "h=4_s=one_OMP_NUM_THREADS=1");
     EXPECT_EQ(all[1].name, "h=2_s=one_OMP_NUM_THREADS=1");
-    EXPECT_EQ(all[2].curve, "one, 2");
+    EXPECT_EQ(all[2].curve, "one, OMP_NUM_THREADS 2");
     EXPECT_EQ(all[7].name, "h=2_s=two_OMP_NUM_THREADS=2");
     EXPECT_EQ(all[7].size, 2);
     std::set<std::string> names;
@@ -149,7 +149,7 @@ TEST(variants, areNotNamedAfterWhatHasOneChoice)
     );
     ASSERT_EQ(all.size(), 2u);
     EXPECT_EQ(all[1].name, "h=2_b=4");
-    EXPECT_EQ(all[1].curve, "4");
+    EXPECT_EQ(all[1].curve, "b 4");
 }
 
 
@@ -166,7 +166,7 @@ TEST(variants, rulesSkip)
     );
     ASSERT_EQ(all.size(), 3u);
     EXPECT_EQ(all[0].resolution, "4");
-    EXPECT_EQ(all[1].curve, "two, 1");
+    EXPECT_EQ(all[1].curve, "two, OMP_NUM_THREADS 1");
     EXPECT_EQ(all[2].resolution, "2");
 }
 
