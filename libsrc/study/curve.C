@@ -44,7 +44,8 @@ void addOrders(curve& c)
         const double gain = logRatio(a.error, b.error);
         const double step = refinement(a, b);
         b.order = step != 0 ? gain/step : curvePoint::none;
-        b.slope = gain != 0
+        // Of an error that hardly falls it would say nothing
+        b.slope = gain > 0.05
           ? logRatio(b.seconds.median, a.seconds.median)/gain
           : curvePoint::none;
     }
