@@ -44,6 +44,19 @@ blockGrid blockGrid::of(const domain& d, const frame& f, double reach)
 }
 
 
+blockGrid blockGrid::cells(double width, int dimensions) const
+{
+    const double length[3] = {n[0]*size.x, n[1]*size.y, n[2]*size.z};
+    blockGrid g = *this;
+    for (int i = 0; i < dimensions; ++i)
+    {
+        g.n[i] = std::max(1, int(std::lround(length[i]/width)));
+    }
+    g.size = {length[0]/g.n[0], length[1]/g.n[1], length[2]/g.n[2]};
+    return g;
+}
+
+
 int blockGrid::blockOf(const frame& f, const vector& x) const
 {
     return index

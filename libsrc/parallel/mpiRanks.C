@@ -61,21 +61,30 @@ communicator::~communicator()
 }
 
 
-int communicator::rankOnNode() const
+std::vector<int> communicator::ranksOnNode() const
 {
     if (!parallel_)
     {
-        return 0;
+        return {0};
     }
     MPI_Comm node;
     MPI_Comm_split_type
     (
         MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &node
     );
-    int r;
-    MPI_Comm_rank(node, &r);
+    int n;
+    MPI_Comm_size(node, &n);
+    std::vector<int> ranks(n);
+    MPI_Allgather(&rank_, 1, MPI_INT, ranks.data(), 1, MPI_INT, node);
     MPI_Comm_free(&node);
-    return r;
+    return ranks;
+}
+
+
+int communicator::rankOnNode() const
+{
+    const std::vector<int> all = ranksOnNode();
+    return int(std::find(all.begin(), all.end(), rank_) - all.begin());
 }
 
 

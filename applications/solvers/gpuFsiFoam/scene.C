@@ -133,6 +133,7 @@ rankSettings scene::settings() const
         );
     }
     s.direct = can && dict.transport != mode::staged;
+    s.peers = dict.transport == mode::automatic;
     return s;
 }
 
