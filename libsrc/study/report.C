@@ -152,6 +152,11 @@ std::string frontOf(const std::vector<curve>& all)
 std::string errorLabel(const studyDict& s)
 {
     const auto& e = s.error;
+    if (!e.label.empty())
+    {
+        return e.label
+          + (e.finest ? ", difference from its own finest run" : "");
+    }
     if (e.finest)
     {
         return "difference from its own finest run, relative";

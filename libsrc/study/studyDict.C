@@ -15,6 +15,7 @@ constexpr double huge = std::numeric_limits<double>::max();
 studyDict::errorSource readError(const dictionary& dict)
 {
     studyDict::errorSource e;
+    e.label = dict.getOrDefault<std::string>("label", "");
     if (dict.found("functionObject") == dict.found("command"))
     {
         throw userError
