@@ -40,6 +40,16 @@ fails "'abc'" "$run $error
 fails "to compare with" "$run $error parameters { $h }" -compare nowhere
 fails "Invalid option" "$run $error parameters { $h }" -comparison x
 
+# Those of the tutorials are read to the last key
+for dict in "$tutorials"/*/system/studyDict*
+do
+    tutorial=$(basename "${dict%/system/*}")
+    "$program" -case "$tutorials/$tutorial" -list \
+        -dict "system/${dict##*/}" > "$work/log" 2>&1
+    expect "$tutorial, ${dict##*/}: exit code" $? "==" 0
+    expect "warnings" "$(grep -c Warning "$work/log")" "==" 0
+done
+
 # Ended from outside: so are its commands; the next call goes on
 echo "repeats 2; $error parameters { h {
     entry \"system/seedParticlesDict:spacing\"; values (1.25); } }

@@ -37,6 +37,7 @@ static int errorVsRunTime(int argc, char** argv)
             {"dict", "file", "default: system/studyDict"},
             {"compare", "list", "directories of other studies, or csv files,"
                 " separated by commas: laid over"},
+            {"list", "", "name the variants and run nothing"},
             {"tableOnly", "", "run nothing, take the results that are there"},
             {"force", "", "run again what has been run"}
         }
@@ -46,6 +47,14 @@ static int errorVsRunTime(int argc, char** argv)
     (
         args.casePath(), args.getOrDefault("dict", "system/studyDict")
     );
+    if (args.found("list"))
+    {
+        for (const variant& v : allVariants(study))
+        {
+            info("{}", v.name);
+        }
+        return 0;
+    }
     const std::vector<curve> compared =
         args.found("compare") ? readAll(args.get("compare"))
                               : std::vector<curve>();
