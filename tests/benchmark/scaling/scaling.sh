@@ -71,30 +71,43 @@ measure()
         ' "$out/log" | tee -a "$table"
 }
 
-for scheme in radial full
-do
-    for refresh in moved 10
+# each CASE: for every scheme, refresh and number of ranks
+each()
+{
+    local scheme refresh n
+    for scheme in radial full
     do
-        for n in $counts
+        for refresh in moved 10
         do
-            boxes=$(factors "$n")
-            measure weak $scheme $refresh 1-D "$n" -boxes "$boxes" \
-                -cuts "$(cuts "$n" 1)"
-            measure strong $scheme $refresh 1-D "$n" -boxes '4 1 1' \
-                -cuts "$(cuts "$n" 1)"
-            [ "$n" -ge 2 ] || continue
-            measure weak $scheme $refresh hilbert "$n" -boxes "$boxes" \
-                -method hilbert
-            measure weak $scheme $refresh 1-D "$n" -boxes "$boxes" \
-                -cuts "$(cuts "$n" 1)" -staged
-            [ "$n" -ge 4 ] || continue
-            measure weak $scheme $refresh 2-D "$n" -boxes "$boxes" \
-                -cuts "$(cuts "$n" 2)"
-            [ "$n" -ge 8 ] || continue
-            measure weak $scheme $refresh 3-D "$n" -boxes "$boxes" \
-                -cuts "$(cuts "$n" 3)"
+            for n in $counts
+            do
+                "$1" "$scheme" "$refresh" "$n"
+            done
         done
     done
-done
+}
+
+weak()
+{
+    local boxes
+    boxes=$(factors "$3")
+    measure weak "$1" "$2" 1-D "$3" -boxes "$boxes" -cuts "$(cuts "$3" 1)"
+    [ "$3" -ge 2 ] || return 0
+    measure weak "$1" "$2" 1-D "$3" -boxes "$boxes" -cuts "$(cuts "$3" 1)" \
+        -staged
+    measure weak "$1" "$2" hilbert "$3" -boxes "$boxes" -method hilbert
+    [ "$3" -ge 4 ] || return 0
+    measure weak "$1" "$2" 2-D "$3" -boxes "$boxes" -cuts "$(cuts "$3" 2)"
+    [ "$3" -ge 8 ] || return 0
+    measure weak "$1" "$2" 3-D "$3" -boxes "$boxes" -cuts "$(cuts "$3" 3)"
+}
+
+strong()
+{
+    measure strong "$1" "$2" 1-D "$3" -boxes '4 1 1' -cuts "$(cuts "$3" 1)"
+}
+
+each weak
+each strong
 command -v gnuplot > /dev/null || exit 0
 gnuplot -e "table='$table'; picture='$out/scaling.png'" "$here/scaling.gp"
