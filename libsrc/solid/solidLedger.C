@@ -32,7 +32,8 @@ solidEnergies solidLedger
     e.dissipated = pairwiseSum
     (
         0, cellLoss.size(), [&](std::size_t c) { return cellLoss[c]; }
-    ) - account(damped);
+    ) - account(damped) - account(rubbed);
+    e.contactLoss = -account(rubbed);
     e.brokenBonds = countBroken(s.broken);
     e.gravity = account(gravitational);
     e.loads = account(loaded);
