@@ -23,7 +23,10 @@ curvePoint point(const std::string& label, double error, double seconds)
 
 curve twoPoints()
 {
-    return {"it's one", false, {point("coarse", 0.1, 1), point("fine", 0.01, 9)}};
+    return
+    {
+        "it's one", false, {point("coarse", 0.1, 1), point("fine", 0.01, 9)}
+    };
 }
 
 studyDict study()
