@@ -1,5 +1,5 @@
-//- exact nonlinearPulse: the pulse of acousticPulse (same keys), but of the full
-//  isothermal equations, solved along the radius. To be compared with where
+//- exact nonlinearPulse: the pulse of acousticPulse (same keys), but of the
+//  full isothermal equations, solved along the radius. To be compared with where
 //  errors come down to the linear solution's own (at the published amplitude of
 //  0.01: 3e-4 of the pulse).
 

@@ -98,7 +98,11 @@ std::string valueText(const std::vector<token>& tokens, std::size_t& i)
 }
 
 
-std::vector<std::string> valueList(const dictionary& dict, const std::string& key)
+std::vector<std::string> valueList
+(
+    const dictionary& dict,
+    const std::string& key
+)
 {
     const std::vector<token>& tokens = dict.tokens(key);
     std::vector<std::string> values;

@@ -1,6 +1,6 @@
 #!/bin/bash
-# The grid schemes to compare with: second order in h and dt against the solution
-# of the full equations, and the two agree
+# The grid schemes to compare with: second order in h and dt against the
+# solution of the full equations, and the two agree
 . "$(dirname "$0")/../tutorials/functions.sh"
 
 export OMP_NUM_THREADS=1
@@ -42,8 +42,9 @@ expect "relative difference of the schemes' errors" \
 
 # The same bytes on any number of threads
 OMP_NUM_THREADS=3 "$program" -case "$work/semiLagrangian16" > /dev/null 2>&1
+tables=$work/semiLagrangian16/postProcessing/pulseError/0
 expect "errors on three threads as on one" \
-    "$(cut -f 1-7 "$work"/semiLagrangian16/postProcessing/pulseError/0/error*.dat \
+    "$(cut -f 1-7 "$tables"/error*.dat \
         | sort | uniq -c | awk '$1 != 2' | wc -l)" "==" 0
 
 # fails TEXT FILE KEY VALUE

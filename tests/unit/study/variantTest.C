@@ -68,7 +68,8 @@ TEST(parameter, numberOfALabelledChoiceIsItsFirstValue)
 {
     const parameter p = read
     (
-        "entries (\"a:b\" \"a:c\"); choices { coarse (0.5 0.1); \"16\" (0.2 1); }"
+        "entries (\"a:b\" \"a:c\");"
+        " choices { coarse (0.5 0.1); \"16\" (0.2 1); }"
     );
     EXPECT_EQ(p.number(0), 0.5);
     EXPECT_EQ(p.number(1), 16);
