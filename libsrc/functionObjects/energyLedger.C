@@ -6,7 +6,9 @@
 //  Every term is measured by itself. The residual is what the fluid's own sums
 //  have for the work of all boundaries less what walls and solids have for it
 //  (interfaceError), and the solids' own. Its share is of the largest change of
-//  any energy or work of boundaries so far. Also: the solids' surfaces' force
+//  any energy or work of boundaries so far. Contact of solids: what penetration
+//  stores is elastic, friction a loss, moving walls that solids touch are
+//  drives. Also: the solids' surfaces' force
 //  on the fluid by the fluid's faces, beside the load on the solids, N, and the
 //  momentum of all, kg m/s. Needs `areaWeights moment`. No keys of its own.
 

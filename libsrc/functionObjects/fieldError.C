@@ -1,10 +1,11 @@
 //- type error: norms of a field's difference from what it should be, over the
-//  fluid particles weighted by their volumes m/rho.
+//  fluid particles weighted by their volumes m/rho; at the end of the run what
+//  the latest of them cost.
 //  Keys: field, exact or reference, centre, region "expression, not zero
 //  inside", includeWalls (no). Annotated: etc/caseDicts/annotated/functions.
 
 #include "base/log.H"
-#include "functionObjects/errorNorms.H"
+#include "functionObjects/errorCost.H"
 #include "functionObjects/fields.H"
 #include "functionObjects/functionObject.H"
 #include "functionObjects/outputFile.H"
@@ -83,7 +84,13 @@ public:
                 "# Time\tL1\tL2\tLinf\trelL1\trelL2\trelLinf\tloopSeconds\n"
             );
         }
-        const double relativeL2 = relative(error.L2, size.L2);
+        const norms part
+        {
+            relative(error.L1, size.L1),
+            relative(error.L2, size.L2),
+            relative(error.Linf, size.Linf)
+        };
+        latest_.emplace(errorCost{error, part, info});
         file_->write
         (
             fmt::format
@@ -94,9 +101,9 @@ public:
                 error.L1,
                 error.L2,
                 error.Linf,
-                relative(error.L1, size.L1),
-                relativeL2,
-                relative(error.Linf, size.Linf),
+                part.L1,
+                part.L2,
+                part.Linf,
                 info.loopSeconds
             )
         );
@@ -105,9 +112,22 @@ public:
             gpuFsi::info
             (
                 "{}: error of {} L2 = {:.4e} Linf = {:.4e} relL2 = {:.4e}",
-                name(), field_, error.L2, error.Linf, relativeL2
+                name(), field_, error.L2, error.Linf, part.L2
             );
         }
+    }
+
+    //- What the latest error cost: cost.dat, and a line in the log
+    void end(const runInfo& info) override
+    {
+        if (!latest_)
+        {
+            return;
+        }
+        latest_->run.totalSeconds = info.totalSeconds;
+        outputFile file(info.casePath, name(), info.startTime, "cost.dat");
+        file.write(errorCost::header() + latest_->row());
+        gpuFsi::info("{}: {}", name(), latest_->sentence(field_));
     }
 
 private:
@@ -194,6 +214,7 @@ private:
     std::optional<expression> region_;
     sourceSpan regionWhere_;
     std::optional<outputFile> file_;
+    std::optional<errorCost> latest_;
 };
 
 const functionObject::selection::add<fieldError> add("error");

@@ -155,4 +155,13 @@ void functionObjectList::execute(const hostState& state, const runInfo& info)
     }
 }
 
+
+void functionObjectList::end(const runInfo& info)
+{
+    for (const auto& object : objects_)
+    {
+        object->end(info);
+    }
+}
+
 } // namespace gpuFsi

@@ -2,8 +2,10 @@
 //  works since the run's start:
 //      kinetic + elastic - (first) =
 //          gravity + loads + drives + fluid - dissipated + residual
-//  and, where there is fluid, its kinetic and internal energy and the sum of
-//  all that the coupled system keeps. No keys of its own.
+//  elastic includes `contact`, what penetration stores; dissipated includes
+//  `contactLoss`, by friction and dashpots of contact; drives include moving
+//  walls that solids touch. And, where there is fluid, its kinetic and internal
+//  energy and the sum of all that the coupled system keeps. No keys of its own.
 
 #include "base/log.H"
 #include "base/sum.H"
@@ -55,7 +57,8 @@ public:
             (
                 "# Time\tkinetic\telastic\tdissipated\tworkOfGravity"
                 "\tworkOfLoads\tworkOfDrives\tworkOfFluid\tresidual"
-                "\tfluidKinetic\tfluidInternal\tcoupledTotal\n"
+                "\tfluidKinetic\tfluidInternal\tcoupledTotal"
+                "\tcontact\tcontactLoss\n"
             );
         }
         const solidEnergies& s = state.solid.energies;
@@ -70,7 +73,7 @@ public:
             {
                 s.kinetic, s.elastic, s.dissipated, s.gravity,
                 s.loads, s.driven, s.fluid, residual,
-                kinetic, internal, total
+                kinetic, internal, total, s.contact, s.contactLoss
             })
         {
             row += fmt::format("\t{:.10e}", value);

@@ -87,6 +87,10 @@ std::size_t writeSolidSet
     c.addScalar("vonMises", s.vonMises);
     addTensor(c, "stress", s.stress);
     addTensor(c, "strain", s.strain);
+    if (s.touch)
+    {
+        c.addVector("contactForce", s.contact);
+    }
     if (s.bondsBreak)
     {
         c.addLabel("brokenBonds", {s.broken.begin(), s.broken.end()});

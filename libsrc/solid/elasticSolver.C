@@ -1,5 +1,6 @@
 #include "solid/elasticSolver.H"
 
+#include "base/log.H"
 #include "device/useCuda.H"
 
 #include <fmt/format.h>
@@ -32,22 +33,46 @@ static void checkState(const solidMesh& mesh, const solidState& s)
 }
 
 
+static void warnOfNothingToTouch
+(
+    const solidMesh& mesh,
+    const contactProperties& contact,
+    const contactWalls& walls
+)
+{
+    if
+    (
+        contact.active && mesh.names.size() < 2
+     && (walls.empty() || !contact.walls)
+    )
+    {
+        warning
+        (
+            "constant/solidProperties has the dictionary contact, but there is "
+            "one solid and no wall: nothing can touch."
+        );
+    }
+}
+
+
 std::unique_ptr<elasticSolver> elasticSolver::make
 (
     const std::string& backend,
     const solidMesh& mesh,
     const solidProperties& properties,
-    const solidState& initial
+    const solidState& initial,
+    const contactWalls& walls
 )
 {
     checkState(mesh, initial);
+    warnOfNothingToTouch(mesh, properties.contact, walls);
     if (useCuda(backend))
     {
 #ifdef FSI_HAVE_CUDA
-        return newCudaSolid(mesh, properties, initial);
+        return newCudaSolid(mesh, properties, initial, walls);
 #endif
     }
-    return newCpuSolid(mesh, properties, initial);
+    return newCpuSolid(mesh, properties, initial, walls);
 }
 
 } // namespace gpuFsi

@@ -7,10 +7,11 @@ std::unique_ptr<elasticSolver> newCudaSolid
 (
     const solidMesh& mesh,
     const solidProperties& properties,
-    const solidState& initial
+    const solidState& initial,
+    const contactWalls& walls
 )
 {
-    return makeSpringStepper<cudaBackend>(mesh, properties, initial);
+    return makeSpringStepper<cudaBackend>(mesh, properties, initial, walls);
 }
 
 } // namespace gpuFsi

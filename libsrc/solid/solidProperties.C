@@ -265,6 +265,16 @@ solidProperties solidProperties::read
         const double n = dict.getNumber("subSteps", 1, 1e6);
         p.subSteps = int(n);
     }
+    p.contact = contactProperties::read(dict, mesh.names);
+    if (p.contact.active && p.stepping == scheme::midpoint)
+    {
+        throw userError
+        (
+            "Implicit steps have no contact",
+            dict.where("stepping"),
+            "Set 'stepping explicit', or 'active no' in contact."
+        );
+    }
     dict.warnUnread();
     return p;
 }

@@ -42,7 +42,10 @@ static int solve(const communicator& ranks, int argc, char** argv)
     const scene s(ranks, args->casePath());
     Time& runTime = *s.time;
     const std::unique_ptr<fluidSolver> solver = s.newSolver();
-    runReport report(runTime, s.space, s.fluid, s.schemes, *solver);
+    runReport report
+    (
+        runTime, s.space, s.fluid, s.schemes, *solver, ranks.size()
+    );
     functionObjectList functions
     (
         runTime.controlDict(), report.info(),

@@ -13,7 +13,8 @@ runReport::runReport
     const domain& d,
     const fluidProperties& fluid,
     const particleSchemes& schemes,
-    const fluidSolver& solver
+    const fluidSolver& solver,
+    int nRanks
 )
 :
     time_(time),
@@ -28,6 +29,8 @@ runReport::runReport
     info_.startTime = time.timeName();
     info_.dimensions = d.dimensions;
     info_.rho0 = fluid.rho0;
+    info_.h = d.spacing;
+    info_.ranks = nRanks;
     info_.c = fluid.c;
     info_.mu = fluid.mu;
     info_.forceVaries = fluid.g.varies();

@@ -48,11 +48,7 @@ public:
         {
             solver_.keepLedger();
         }
-        if (!functions_.empty())
-        {
-            const hostState whole = wholeState();
-            onMaster([&] { functions_.start(whole, report_.info()); });
-        }
+        startFunctions();
         while (time_.run())
         {
             stepping_.adjust([&] { return solver_.monitor(); });
@@ -64,6 +60,7 @@ public:
             write();
             maintain();
         }
+        endFunctions();
     }
 
     void writeInto(const std::filesystem::path& directory)
@@ -99,15 +96,41 @@ private:
         }
     }
 
+    void startFunctions()
+    {
+        if (!functions_.empty())
+        {
+            observeWith(&functionObjectList::start);
+        }
+    }
+
     void observe()
     {
         if (!functions_.empty() && due())
         {
             solver_.monitor();
-            const double begin = time_.clockSeconds();
-            const hostState whole = wholeState();
-            onMaster([&] { functions_.execute(whole, report_.info()); });
-            report_.addFunctionSeconds(time_.clockSeconds() - begin);
+            observeWith(&functionObjectList::execute);
+        }
+    }
+
+    //- The seconds told are those before the particles are copied
+    void observeWith
+    (
+        void (functionObjectList::*act)(const hostState&, const runInfo&)
+    )
+    {
+        const double begin = time_.clockSeconds();
+        const runInfo figures = report_.info();
+        const hostState whole = wholeState();
+        onMaster([&] { (functions_.*act)(whole, figures); });
+        report_.addFunctionSeconds(time_.clockSeconds() - begin);
+    }
+
+    void endFunctions()
+    {
+        if (!functions_.empty())
+        {
+            onMaster([&] { functions_.end(report_.info()); });
         }
     }
 

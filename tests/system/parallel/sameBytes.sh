@@ -83,6 +83,22 @@ seedAndRun square
 sameOn square 3 hilbert
 sameOn square 4 simple "$every"
 
+# A block that comes to rest on the floor of its tank
+copyCase sinkingBlock block
+setEntry block/system/seedParticlesDict rows 16
+sed -i 's/min     (0.375 0.25 -1)/min     (0.375 0.0625 -1)/' \
+    "$work/block/system/seedParticlesDict"
+sed -i '/^    ledger/,/^    }/d' "$work/block/system/controlDict"
+sed -i 's/friction    0.2;/& gap 0.055;/' \
+    "$work/block/constant/solidProperties"
+shorten block 600 300
+seedAndRun block
+expect "block: rows of its ledger with contact" \
+    "$(awk '$13 > 0' "$work/block.one/postProcessing/block/0/solidEnergy.dat" |
+        wc -l)" ">=" 2
+sameOn block 2 simple
+sameOn block 3 hilbert "$every"
+
 # What function objects wrote, too
 expect "tables of square that differ" \
     "$(diff -rq "$work/square/postProcessing" \

@@ -50,6 +50,30 @@ damage measuring(const char* entry)
     };
 }
 
+const std::vector<breakage> contact
+{
+    {"friction negative", solver,
+        withBall(add(solids, "contact { friction -0.1; }")),
+        "friction", "-0.1"},
+    {"contact without stiffness", solver,
+        withBall(add(solids, "contact { stiffness 0; }")),
+        "stiffness", "0.001"},
+    {"damping over critical", solver,
+        withBall(add(solids, "contact { damping 2; }")), "damping", "2"},
+    {"gap negative", solver, withBall(add(solids, "contact { gap -0.1; }")),
+        "gap is -0.1 m", "must not be negative"},
+    {"gap of a velocity", solver,
+        withBall(add(solids, "contact { gap [0 1 -1 0 0 0 0] 1; }")),
+        "dimensions", "[0 1 0"},
+    {"margin zero", solver, withBall(add(solids, "contact { margin 0; }")),
+        "margin", "must be positive"},
+    {"contact in implicit steps", solver,
+        withBall(add(solids, "stepping implicit; contact {}")),
+        "Implicit steps have no contact", "stepping explicit"},
+    {"contact a number", solver, withBall(add(solids, "contact 1;")),
+        "contact", "dictionary"},
+};
+
 const std::vector<breakage> material
 {
     {"solidProperties missing", solver, withBall(drop(solids)),
@@ -115,6 +139,15 @@ const std::vector<breakage> functions
 TEST(badInput, solidProperties)
 {
     for (const breakage& b : material)
+    {
+        expectRefused(b);
+    }
+}
+
+
+TEST(badInput, contact)
+{
+    for (const breakage& b : contact)
     {
         expectRefused(b);
     }

@@ -49,6 +49,24 @@ systemCase elasticWall(const std::string& law)
     return c;
 }
 
+//- And a second solid, which it meets
+systemCase meeting()
+{
+    systemCase c = elasticWall("surface");
+    c.replace
+    (
+        "system/seedParticlesDict", "solids {",
+        "solids { stop { type box; min (0.8 -1 -1); max (0.95 2 1);"
+        " U (\"-0.3\" \"0\" \"0\"); }"
+    );
+    c.add
+    (
+        "constant/solidProperties",
+        "stop { rho 2; E 10; } contact { friction 0.3; damping 0.1; }\n"
+    );
+    return c;
+}
+
 void expectRun(const systemCase& c, const std::string& threads = "1")
 {
     const outcome o =
@@ -127,4 +145,32 @@ TEST(coupled, sameBytesOnAnyNumberOfThreads)
             }
         }
     }
+}
+
+
+TEST(coupled, contactRestartsToTheSameBytes)
+{
+    systemCase c = meeting();
+    c.seed();
+    const systemCase whole(c);
+    expectRun(whole);
+    const std::string ledger = whole.text
+    (
+        "postProcessing/ledger/0/solidEnergy.dat"
+    );
+    EXPECT_NE(ledger.find("contactLoss"), std::string::npos);
+    const fileTree wanted = whole.times();
+    ASSERT_TRUE(wanted.count("0.2/lagrangian/solid/contactForce"));
+    for (const char* later : {"0.3", "0.2"})
+    {
+        systemCase again(whole);
+        again.remove("0.3");
+        again.remove(later);
+        again.set(control, "startFrom", "latestTime");
+        expectRun(again);
+        EXPECT_EQ(difference(again.times(), wanted), "") << later;
+    }
+    const systemCase threads(c);
+    expectRun(threads, "3");
+    EXPECT_EQ(difference(threads.times(), wanted), "");
 }

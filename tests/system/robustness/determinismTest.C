@@ -6,13 +6,14 @@
 namespace
 {
 
-//- Without what tells the clock: error.dat has the seconds spent
+//- Without what tells the clock: error.dat and cost.dat have the seconds spent
 fileTree results(const systemCase& c)
 {
     fileTree files;
     for (const auto& [name, bytes] : c.tree())
     {
-        if (name.find("error.dat") == std::string::npos)
+        if (name.find("error.dat") == std::string::npos
+         && name.find("cost.dat") == std::string::npos)
         {
             files[name] = bytes;
         }

@@ -258,3 +258,56 @@ TEST(error, badEntriesAreErrors)
     );
     expectIn("acousticPulse", message("field rho; exact pulse;"));
 }
+
+
+TEST(errorCost, tiesTheLatestErrorToItsCost)
+{
+    testRun run;
+    run.info.h = 0.25;
+    run.info.ranks = 3;
+    run.info.device = "cpu, 2 threads";
+    run.info.precision = "double";
+    run.info.scheme = "areaWeights radial";
+    const dictionary dict = dictionary::fromString
+    (
+        "functions { e { type error; field deltaRho; reference \"3\"; } }"
+    );
+    functionObjectList list(dict, run.info);
+    hostState state = lattice(2, 3, 0);
+    list.start(state, run.info);
+    run.step(4);
+    run.info.loopSeconds = 2;
+    run.info.particleSteps = 32;
+    std::fill
+    (
+        state.fluid.deltaRho.begin(), state.fluid.deltaRho.end(), 2.0
+    );
+    list.execute(state, run.info);
+
+    // Time goes on: the error stays that of the latest look
+    run.step(5);
+    run.info.loopSeconds = 7;
+    run.info.particleSteps = 40;
+    run.info.totalSeconds = 11;
+    list.end(run.info);
+
+    std::istringstream lines(run.text("e/0/cost.dat"));
+    std::string names, values;
+    std::getline(lines, names);
+    std::getline(lines, values);
+    EXPECT_EQ
+    (
+        names,
+        "# Time\tL1\tL2\tLinf\trelL1\trelL2\trelLinf\tloopSeconds\t"
+        "totalSeconds\tparticleSteps\tparticleStepsPerSecond\th\tdeltaT\t"
+        "ranks\tdevice\tprecision\tscheme"
+    );
+    EXPECT_EQ
+    (
+        values,
+        "0.4\t1.00000000e+00\t1.00000000e+00\t1.00000000e+00\t"
+        "3.33333333e-01\t3.33333333e-01\t3.33333333e-01\t2.00000000e+00\t"
+        "1.10000000e+01\t32\t1.60000000e+01\t0.25\t0.1\t3\t"
+        "cpu, 2 threads\tdouble\tareaWeights radial"
+    );
+}

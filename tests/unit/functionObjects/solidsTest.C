@@ -169,6 +169,8 @@ TEST(solidEnergy, closesTheLedger)
     s.loads = 2;
     s.driven = 0.25;
     s.fluid = 10.25;
+    s.contact = 1.5;
+    s.contactLoss = 0.125;
     for (std::size_t i = 0; i < state.fluid.size(); ++i)
     {
         state.fluid.U[i] = {0, 3, 0};          // mass 2
@@ -178,14 +180,14 @@ TEST(solidEnergy, closesTheLedger)
     list.execute(state, run.info);
     const auto rows = run.rows("e/0/solidEnergy.dat");
     ASSERT_EQ(rows.size(), 2u);
-    expectRow(rows[0], {0, 5, 2, 0, 0, 0, 0, 10, 0, 0, 0, 7});
+    expectRow(rows[0], {0, 5, 2, 0, 0, 0, 0, 10, 0, 0, 0, 7, 0, 0});
     const double internal = 2*3*(std::log(2.0) + 0.5 - 1);
     expectRow
     (
         rows[1],
         {
             0.1, 6, 4, 0.5, 1, 2, 0.25, 10.25, 0, 9, internal,
-            6 + 4 + 0.5 - 3.25 + 9 + internal
+            6 + 4 + 0.5 - 3.25 + 9 + internal, 1.5, 0.125
         }
     );
 }

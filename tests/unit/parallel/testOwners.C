@@ -95,7 +95,7 @@ TEST(blockGrid, cellsCoverTheSameDomain)
 TEST(brickKeys, sortRowByRow)
 {
     const int n = 16;
-    blockGrid cells = gridOf(n, n, n);
+    const blockGrid cells = gridOf(n, n, n, true);
     std::vector<placeRho<double>> place(n*n*n);
     std::vector<int> index(place.size());
     for (int i = 0; i < n*n*n; ++i)

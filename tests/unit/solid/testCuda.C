@@ -1,7 +1,7 @@
 // The cuda backend against the cpu's.
 
-#include "blocks.H"
 #include "common/needsGpu.H"
+#include "contactScene.H"
 
 using namespace gpuFsi;
 
@@ -64,6 +64,38 @@ void compare(const scene& s, const std::string& more, double within)
     EXPECT_EQ(a.broken, b.broken);
 }
 
+//- Two blocks that meet with friction over a wall that moves
+std::vector<vector> afterContact(int D, const char* backend, double& lost)
+{
+    solidMesh mesh;
+    addBlock(mesh, block(D, 6, 6, 4, 0.2, 0.05), {-1.25, 0, 0}, "one");
+    addBlock
+    (
+        mesh, block(D, 6, 6, 4, 0.18, 0.05), {0.05, 0.3, D == 2 ? 0 : 0.1},
+        "two"
+    );
+    const auto motion = wallMotion::make(dictionary::fromString
+    (
+        "type oscillation; amplitude (0.05 0.1 0); omega 2;"
+    ));
+    contactWalls walls;
+    addWall(walls, D, {0, -0.02, 0}, {0, 1, 0}, {-1, 0, 0}, 0.15, 14);
+    walls.motions[0] = motion.get();
+    const auto solver = elasticSolver::make
+    (
+        backend, mesh,
+        propertiesOf
+        (
+            mesh, "one { rho 1; E 1; nu 0.3; } two { rho 2; E 3; }"
+            " contact { friction 0.3; damping 0.1; }", {0, -0.1, 0}
+        ),
+        moving(mesh, {{0.2, 0, 0}, {-0.2, 0, 0}}), walls
+    );
+    march(*solver, 60, 0.02);
+    lost = solver->energies().contactLoss;
+    return solver->download().positions;
+}
+
 class cudaSolid
 :
     public testing::Test
@@ -106,6 +138,24 @@ TEST_F(cudaSolid, brokenBonds)
         (
             torn(D), "stepping implicit; subSteps 4; tolerance 1e-10;", 1e-9
         );
+    }
+}
+
+
+TEST_F(cudaSolid, contact)
+{
+    for (const int D : {2, 3})
+    {
+        double lostA = 0, lostB = 0;
+        const std::vector<vector> a = afterContact(D, "cpu", lostA);
+        const std::vector<vector> b = afterContact(D, "cuda", lostB);
+        for (std::size_t i = 0; i < a.size(); ++i)
+        {
+            const vector d = a[i] - b[i];
+            EXPECT_LT(std::sqrt(dot(d, d)), 1e-11);
+        }
+        EXPECT_GT(lostA, 0);
+        EXPECT_NEAR(lostB/lostA, 1, 1e-9);
     }
 }
 

@@ -78,6 +78,52 @@ TEST(solidProperties, unknownPartListsThoseThereAre)
 }
 
 
+TEST(solidProperties, contactIsReadAndChecked)
+{
+    const solidMesh mesh = block(2, 2, 2, 0, 1);
+    const auto contactOf = [&](const std::string& more)
+    {
+        return material(mesh, "E 1;", {}, more).contact;
+    };
+    const auto complains = [&](const std::string& more, const char* text)
+    {
+        try
+        {
+            contactOf(more);
+        }
+        catch (const userError& e)
+        {
+            return std::string(e.what()).find(text) != std::string::npos;
+        }
+        return false;
+    };
+    EXPECT_FALSE(contactOf("").active);
+    EXPECT_FALSE(contactOf("contact { active no; }").active);
+    EXPECT_TRUE(contactOf("contact {}").active);
+    const contactProperties p = contactOf
+    (
+        "contact { stiffness 2; friction 0.3; damping 0.1; walls no; gap 0.5;"
+        " margin 0.25; }"
+    );
+    EXPECT_EQ(p.stiffness, 2);
+    EXPECT_EQ(p.friction, 0.3);
+    EXPECT_EQ(p.damping, 0.1);
+    EXPECT_FALSE(p.walls);
+    EXPECT_EQ(p.gap.value(), 0.5);
+    EXPECT_FALSE(contactOf("contact {}").gap.has_value());
+    EXPECT_EQ(p.margin, 0.25);
+    EXPECT_TRUE(complains("contact { stiffness 0; }", "stiffness"));
+    EXPECT_TRUE(complains("contact { friction -0.1; }", "friction"));
+    EXPECT_TRUE(complains("contact { damping 2; }", "damping"));
+    EXPECT_TRUE(complains("contact { gap -1; }", "must not be negative"));
+    EXPECT_TRUE(complains("contact { margin 0; }", "must be positive"));
+    EXPECT_TRUE
+    (
+        complains("contact {} stepping implicit;", "Implicit steps have no")
+    );
+}
+
+
 TEST(solidProperties, filesOfACase)
 {
     namespace fs = std::filesystem;

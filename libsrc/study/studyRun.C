@@ -1,0 +1,250 @@
+#include "study/studyRun.H"
+
+#include "base/log.H"
+#include "case/caseFileIO.H"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace gpuFsi
+{
+
+namespace fs = std::filesystem;
+
+studyRun::studyRun(const studyDict& study, const fs::path& casePath)
+:
+    study_(study),
+    variants_(allVariants(study))
+{
+    const std::string bytes = fingerprint(study, casePath);
+    for (const variant& v : variants_)
+    {
+        members_.push_back
+        (
+            {v, variantDirectory(study, casePath, bytes, v), {}, false}
+        );
+        members_.back().records = members_.back().directory.earlier();
+    }
+}
+
+
+void studyRun::forget()
+{
+    for (member& m : members_)
+    {
+        fs::remove_all(m.directory.path());
+        m.records.clear();
+    }
+}
+
+
+int studyRun::runsLeft(const member& m) const
+{
+    return m.failed ? 0 : std::max(0, study_.repeats - int(m.records.size()));
+}
+
+
+void studyRun::run()
+{
+    for (const member& m : members_)
+    {
+        all_ += runsLeft(m);
+    }
+    const int kept = study_.repeats*int(members_.size()) - all_;
+    info
+    (
+        "{} variants, {} runs each: {} to do, {} kept from before\n",
+        members_.size(), study_.repeats, all_, std::max(0, kept)
+    );
+    for (int round = 0; round < study_.repeats; ++round)
+    {
+        for (member& m : members_)
+        {
+            if (!m.failed && int(m.records.size()) <= round)
+            {
+                runOnce(m);
+            }
+        }
+    }
+}
+
+
+void studyRun::runOnce(member& m)
+{
+    ++done_;
+    try
+    {
+        m.directory.prepare();
+        m.records.push_back(m.directory.run());
+        m.directory.keep(m.records);
+        warnOnce(m);
+        m.directory.removeFields();
+    }
+    catch (const std::exception& e)
+    {
+        fail(m, e.what());
+        return;
+    }
+    const runRecord& r = m.records.back();
+    info
+    (
+        "[{}/{}] {}: {} {:.4e}, loop {:.4g} s, total {:.4g} s; "
+        "to finish {:.3g} s",
+        done_, all_, m.what.name,
+        study_.error.finest ? "value" : "error", r.error, r.loopSeconds,
+        r.totalSeconds, secondsToFinish()
+    );
+    std::fflush(stdout);
+}
+
+
+void studyRun::fail(member& m, const std::string& why)
+{
+    m.failed = true;
+    all_ -= std::max(0, study_.repeats - int(m.records.size()) - 1);
+    failures_.push_back(m.what.name + ": " + why);
+    info("[{}/{}] {}: FAILED: {}", done_, all_, m.what.name, why);
+    if (why.find("longer than timeLimit") != std::string::npos)
+    {
+        dropFiner(m);
+    }
+    std::fflush(stdout);
+}
+
+
+void studyRun::dropFiner(const member& slow)
+{
+    for (member& m : members_)
+    {
+        if
+        (
+            !m.failed && m.what.curve == slow.what.curve && m.records.empty()
+         && m.what.choice[study_.resolution]
+          > slow.what.choice[study_.resolution]
+        )
+        {
+            all_ -= runsLeft(m);
+            m.failed = true;
+            failures_.push_back
+            (
+                m.what.name + ": left out, as " + slow.what.name
+              + ", which is coarser, took longer than timeLimit"
+            );
+            info("{}", failures_.back());
+        }
+    }
+}
+
+
+//- A key that nobody reads makes two variants one
+void studyRun::warnOnce(const member& m)
+{
+    std::istringstream log(readCaseFile(m.directory.path()/"log.study"));
+    for (std::string line; std::getline(log, line);)
+    {
+        const std::size_t at = line.find("Unused ");
+        const std::size_t in = line.find("' in \"");
+        if (at == line.npos || in == line.npos)
+        {
+            continue;
+        }
+        const std::string what = line.substr(at, in + 1 - at);
+        if (std::find(warnings_.begin(), warnings_.end(), what)
+         == warnings_.end())
+        {
+            warnings_.push_back(what);
+            warning(m.what.name + ": " + line.substr(at));
+        }
+    }
+}
+
+
+double studyRun::secondsToFinish() const
+{
+    double sum = 0;
+    int n = 0;
+    for (const member& m : members_)
+    {
+        for (const runRecord& r : m.records)
+        {
+            sum += r.wallSeconds;
+            ++n;
+        }
+    }
+    double left = 0;
+    for (const member& m : members_)
+    {
+        left += runsLeft(m)
+           *(m.records.empty() ? sum/n : m.records.back().wallSeconds);
+    }
+    return left;
+}
+
+
+curvePoint studyRun::pointOf(const member& m) const
+{
+    curvePoint p;
+    p.resolution = m.what.resolution;
+    p.size = m.what.size;
+    p.repeats = m.records.size();
+    p.run = m.records.back();
+    std::vector<double> error, loop, total;
+    for (const runRecord& r : m.records)
+    {
+        error.push_back(r.error);
+        loop.push_back(r.loopSeconds);
+        total.push_back(r.totalSeconds);
+        if (r.machine != p.run.machine)
+        {
+            p.run.machine += " and " + r.machine;
+        }
+    }
+    p.error = spread::of(error).median;
+    p.run.error = p.error;
+    p.seconds = spread::of(study_.total ? total : loop);
+    p.run.loopSeconds = spread::of(loop).median;
+    p.run.totalSeconds = spread::of(total).median;
+    return p;
+}
+
+
+//- The finest is what the others are measured by
+static void compareWithFinest(curve& c)
+{
+    const double finest = c.points.back().error;
+    c.points.pop_back();
+    for (curvePoint& p : c.points)
+    {
+        p.error = std::fabs(p.error/finest - 1);
+    }
+}
+
+
+std::vector<curve> studyRun::curves() const
+{
+    std::vector<curve> all;
+    for (const member& m : members_)
+    {
+        if (m.records.empty())
+        {
+            continue;
+        }
+        if (all.empty() || all.back().name != m.what.curve)
+        {
+            all.push_back({m.what.curve, false, {}});
+        }
+        all.back().points.push_back(pointOf(m));
+    }
+    for (curve& c : all)
+    {
+        if (study_.error.finest)
+        {
+            compareWithFinest(c);
+        }
+        addOrders(c);
+    }
+    return all;
+}
+
+} // namespace gpuFsi

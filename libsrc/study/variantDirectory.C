@@ -1,0 +1,278 @@
+#include "study/variantDirectory.H"
+
+#include "case/caseFileIO.H"
+#include "study/caseCopy.H"
+#include "study/commandRun.H"
+#include "study/entryEdit.H"
+#include "study/machine.H"
+
+#include <cmath>
+#include <cstdint>
+#include <deque>
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+
+namespace gpuFsi
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+std::string settingsOf
+(
+    const studyDict& s,
+    const variant& v,
+    const std::string& caseBytes
+)
+{
+    std::string text = "case " + caseBytes + "\nerror "
+      + s.error.functionObject + " " + s.error.norm + s.error.command
+      + fmt::format(" {} {} {:.17g}\n", s.error.direct, s.error.finest,
+            s.error.exact);
+    for (const std::string& command : s.commands)
+    {
+        text += "command " + command + "\n";
+    }
+    for (const std::string& setting : v.environment(s))
+    {
+        text += setting + "\n";
+    }
+    for (const variant::change& c : v.changes(s))
+    {
+        text += c.entry.file + ": " + c.entry.assignment(c.value);
+    }
+    return text;
+}
+
+
+std::string bytesOf(const fs::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+
+//- The last lines of a log, or those after its last FOAM FATAL, up to five
+//  that are not empty, for a message
+std::string lastWords(const fs::path& log)
+{
+    const std::string text = bytesOf(log);
+    const std::size_t fatal = text.rfind("FOAM FATAL");
+    std::istringstream stream
+    (
+        fatal == text.npos ? text : text.substr(text.find('\n', fatal))
+    );
+    std::deque<std::string> lines;
+    for (std::string line; std::getline(stream, line);)
+    {
+        if (!line.empty() && (fatal == text.npos || lines.size() < 5))
+        {
+            lines.push_back(line);
+        }
+        if (lines.size() > 5)
+        {
+            lines.pop_front();
+        }
+    }
+    std::string all;
+    for (const std::string& line : lines)
+    {
+        all += "\n    " + line;
+    }
+    return all;
+}
+
+} // namespace
+
+
+std::string fingerprint(const studyDict& s, const fs::path& casePath)
+{
+    // FNV-1a; the dictionaries of studies tell what to run, not what runs
+    std::uint64_t hash = 14695981039346656037u;
+    const auto add = [&](const std::string& bytes)
+    {
+        for (const char c : bytes)
+        {
+            hash = (hash ^ static_cast<unsigned char>(c))*1099511628211u;
+        }
+    };
+    for (const fs::path& file : ownFiles(casePath, s.noCopy))
+    {
+        if (file.filename().string().compare(0, 9, "studyDict") != 0)
+        {
+            add(file.string());
+            add(bytesOf(casePath/file));
+        }
+    }
+    return fmt::format("{:016x}", hash);
+}
+
+
+variantDirectory::variantDirectory
+(
+    const studyDict& s,
+    const fs::path& casePath,
+    const std::string& caseBytes,
+    const variant& v
+)
+:
+    study_(s),
+    casePath_(casePath),
+    variant_(v),
+    path_(casePath/s.directory/v.name),
+    settings_(settingsOf(s, v, caseBytes))
+{}
+
+
+std::vector<runRecord> variantDirectory::earlier() const
+{
+    if (!fs::exists(path_/"runs.dat") || bytesOf(path_/"settings") != settings_)
+    {
+        return {};
+    }
+    return readRecords(path_/"runs.dat");
+}
+
+
+void variantDirectory::prepare() const
+{
+    const std::vector<runRecord> runs = earlier();
+    fs::remove_all(path_);
+    for (const fs::path& file : ownFiles(casePath_, study_.noCopy))
+    {
+        fs::create_directories((path_/file).parent_path());
+        fs::copy_file(casePath_/file, path_/file);
+    }
+    fs::create_directories(path_);
+    writeTextFile(path_/"settings", settings_);
+    if (!runs.empty())
+    {
+        keep(runs);
+    }
+    for (const variant::change& c : variant_.changes(study_))
+    {
+        setEntry(path_/c.entry.file, c.entry, c.value);
+    }
+}
+
+
+fs::path variantDirectory::costFile() const
+{
+    const fs::path top =
+        path_/"postProcessing"/study_.error.functionObject;
+    fs::path latest;
+    if (fs::is_directory(top))
+    {
+        for (const auto& entry : fs::directory_iterator(top))
+        {
+            const fs::path file = entry.path()/"cost.dat";
+            if (fs::exists(file) && (latest.empty()
+             || std::atof(entry.path().filename().c_str())
+              > std::atof(latest.parent_path().filename().c_str())))
+            {
+                latest = file;
+            }
+        }
+    }
+    if (latest.empty())
+    {
+        throw userError
+        (
+            "The commands left no cost.dat of function object "
+          + study_.error.functionObject, {top.string()},
+            "controlDict needs a function object of that name, of type error."
+        );
+    }
+    return latest;
+}
+
+
+double variantDirectory::printedNumber() const
+{
+    const fs::path output = path_/"error.txt";
+    const commandOutcome ran = runCommands
+    (
+        path_, {study_.error.command}, variant_.environment(study_), output,
+        study_.timeLimit
+    );
+    std::ifstream stream(output);
+    double value = 0;
+    if (!ran.good() || !(stream >> value))
+    {
+        throw userError
+        (
+            "The command of error printed no number:" + lastWords(output),
+            {output.string()}
+        );
+    }
+    return value;
+}
+
+
+runRecord variantDirectory::run() const
+{
+    const fs::path log = path_/"log.study";
+    const commandOutcome ran = runCommands
+    (
+        path_, study_.commands, variant_.environment(study_), log,
+        study_.timeLimit
+    );
+    if (!ran.good())
+    {
+        throw userError
+        (
+            (ran.timedOut
+              ? fmt::format("took longer than timeLimit, {:g} s",
+                    study_.timeLimit)
+              : fmt::format("ended with code {}", ran.code))
+          + ":" + lastWords(log), {log.string()}
+        );
+    }
+    runRecord r;
+    if (study_.error.command.empty())
+    {
+        r = recordOfCost(costFile(), study_.error.norm);
+    }
+    else
+    {
+        r = recordOfLog(log);
+        const double value = printedNumber();
+        r.error = study_.error.exact == 0
+          ? value : std::abs(value/study_.error.exact - 1);
+    }
+    if (!std::isfinite(r.error))
+    {
+        throw userError("The error is not finite", {log.string()});
+    }
+    r.wallSeconds = ran.seconds;
+    r.machine = machineName();
+    return r;
+}
+
+
+void variantDirectory::keep(const std::vector<runRecord>& runs) const
+{
+    writeRecords(path_/"runs.dat", runs);
+}
+
+
+void variantDirectory::removeFields() const
+{
+    std::vector<fs::path> gone;
+    for (const auto& entry : fs::directory_iterator(path_))
+    {
+        if (holdsFields(entry.path().filename().string()))
+        {
+            gone.push_back(entry.path());
+        }
+    }
+    for (const fs::path& p : gone)
+    {
+        fs::remove_all(p);
+    }
+}
+
+} // namespace gpuFsi
