@@ -1,5 +1,6 @@
 #include "limits/solidScalesOf.H"
 
+#include "coupling/touchedWalls.H"
 #include "coupling/wallAcceleration.H"
 #include "solid/elasticSolver.H"
 
@@ -38,6 +39,7 @@ static double leastMassPerArea(const solidScene& scene, const hostState& state)
 solidScales solidScalesOf
 (
     const solidScene& scene,
+    const fluidProperties& fluid,
     const hostState& state,
     bool always
 )
@@ -49,9 +51,13 @@ solidScales solidScalesOf
     s.subSteps = p.stepping == scheme::midpoint ? 0 : p.subSteps;
     if (always || s.subSteps > 0)
     {
-        s.omegaMax = elasticSolver::make("cpu", scene.mesh, p)->omegaMax();
+        s.omegaMax = elasticSolver::make
+        (
+            "cpu", scene.mesh, p, {},
+            p.contact.active ? touchedWalls(state, fluid) : contactWalls{}
+        )->omegaMax();
     }
-    if (p.stepping == scheme::automatic)
+    if (p.stepping == scheme::automatic && !p.contact.active)
     {
         s.implicitBeyond = springLimit(s.omegaMax)*mostExplicit;
     }

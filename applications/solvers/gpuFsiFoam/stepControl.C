@@ -24,12 +24,11 @@ static solidScales solidsOf
     solidScales solid;
     if (s.solids)
     {
-        const hostState state =
-            s.space.hasFluid() ? solver.download() : hostState{};
-        solid = solidScalesOf(*s.solids, state);
-        double lightest = -solid.massPerArea;
-        ranks.max(&lightest, 1);
-        solid.massPerArea = -lightest;
+        solid = solidScalesOf(*s.solids, s.fluid, solver.download());
+        double most[2] = {-solid.massPerArea, solid.omegaMax};
+        ranks.max(most, 2);
+        solid.massPerArea = -most[0];
+        solid.omegaMax = most[1];
     }
     return solid;
 }

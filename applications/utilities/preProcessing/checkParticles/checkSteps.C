@@ -155,8 +155,8 @@ void checkSteps
 {
     info("Step limits, s");
     const worstParticles worst(c, t, rows);
-    const solidScales solid =
-        c.solids ? solidScalesOf(*c.solids, t.state, true) : solidScales{};
+    const solidScales solid = c.solids
+      ? solidScalesOf(*c.solids, c.fluid, t.state, true) : solidScales{};
     printLocal(c, t, worst, solid);
     if (c.solids && solid.subSteps == 0)
     {
