@@ -173,6 +173,10 @@ void stepControl::follow(const flowMonitor& m)
         viscous_.deltaT = viscousLimit(schemes_, scales_.flow);
     }
     const termLimit next = wanted(m);
+    if (next.deltaT == infinite)
+    {
+        return;
+    }
     limiting_ = next.term;
     time_.adjustDeltaT(time_.maxCo()*time_.deltaT()/next.deltaT);
 }

@@ -97,6 +97,34 @@ void printLocal
     printRow("deltaT", least, radial, "");
 }
 
+//- What follows deltaT by itself, and what no limit knows of
+void tellOfSubSteps
+(
+    const checkedCase& c,
+    const solidScales& solid
+)
+{
+    if (solid.subSteps == 0)
+    {
+        info
+        (
+            "    The solids' sub-steps follow deltaT; explicit ones are "
+            "stable below {:.4g} s", springLimit(solid.omegaMax)
+        );
+    }
+    const double halfPeriod = M_PI/solid.omegaMax;
+    const bool wet = solid.massPerArea < HUGE_VAL;
+    if (wet && c.deltaT > halfPeriod && c.deltaT < solid.implicitBeyond)
+    {
+        info
+        (
+            "    deltaT is longer than half a period of their highest "
+            "frequency, {:.4g} s: they may resonate with the fluid's load",
+            halfPeriod
+        );
+    }
+}
+
 //- On an even lattice, as gpuFsiFoam does
 void checkDeltaT
 (
@@ -158,13 +186,9 @@ void checkSteps
     const solidScales solid = c.solids
       ? solidScalesOf(*c.solids, c.fluid, t.state, true) : solidScales{};
     printLocal(c, t, worst, solid);
-    if (c.solids && solid.subSteps == 0)
+    if (c.solids)
     {
-        info
-        (
-            "    The solids' sub-steps follow deltaT; explicit ones are "
-            "stable below {:.4g} s", springLimit(solid.omegaMax)
-        );
+        tellOfSubSteps(c, solid);
     }
     checkDeltaT(c, worst.wholeCase(solid), found);
 }
