@@ -32,8 +32,7 @@ solidEnergies solidLedger
     e.dissipated = pairwiseSum
     (
         0, cellLoss.size(), [&](std::size_t c) { return cellLoss[c]; }
-    ) - account(damped) - account(rubbed);
-    e.contactLoss = -account(rubbed);
+    ) - account(damped);
     e.brokenBonds = countBroken(s.broken);
     e.gravity = account(gravitational);
     e.loads = account(loaded);

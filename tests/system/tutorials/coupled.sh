@@ -29,7 +29,7 @@ fitError()
 # Of the function object ledger's coupledTotal: last over first
 energyLeft()
 {
-    awk '!/^#/ { if (!n++) first = $NF; last = $NF }
+    awk '!/^#/ { if (!n++) first = $12; last = $12 }
         END { printf "%.6g\n", last/first }' \
         "$work/$1/postProcessing/ledger/0/solidEnergy.dat"
 }
@@ -37,7 +37,7 @@ energyLeft()
 # Greatest over first
 energyPeak()
 {
-    awk '!/^#/ { if (!n++) first = most = $NF; if ($NF > most) most = $NF }
+    awk '!/^#/ { if (!n++) first = most = $12; if ($12 > most) most = $12 }
         END { printf "%.6g\n", most/first }' \
         "$work/$1/postProcessing/ledger/0/solidEnergy.dat"
 }
