@@ -67,7 +67,8 @@ double viscousLimit
     flowScales still = s;
     still.c = 0;
     return s.nu > 0
-      ? bisect(schemes, still, beyond.diffusion*s.h*s.h/s.nu, growth) : infinite;
+      ? bisect(schemes, still, beyond.diffusion*s.h*s.h/s.nu, growth)
+      : infinite;
 }
 
 

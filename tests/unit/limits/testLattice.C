@@ -52,7 +52,10 @@ hostState noisyState(const domain& d, double displace)
     hostState s = latticeState(d, 0, 1, displace);
     for (std::size_t i = 0; i < s.fluid.size(); ++i)
     {
-        const auto next = [&](int k) { return noise*hashed(5*i + 1000003 + k); };
+        const auto next = [&](int k)
+        {
+            return noise*hashed(5*i + 1000003 + k);
+        };
         s.fluid.deltaRho[i] = next(0);
         s.fluid.U[i] = {next(1), next(2), d.dimensions == 3 ? next(3) : 0};
     }

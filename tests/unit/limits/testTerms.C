@@ -32,7 +32,8 @@ caseScales still()
 //- The greater of the roots of z^2 + b z + c
 double greatestRoot(double b, double c)
 {
-    const std::complex<double> root = std::sqrt(std::complex<double>(b*b - 4*c));
+    const std::complex<double> root =
+        std::sqrt(std::complex<double>(b*b - 4*c));
     return std::max(std::abs(-b + root), std::abs(-b - root))/2;
 }
 
