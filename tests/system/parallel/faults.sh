@@ -22,7 +22,8 @@ runAndKill()
     onRanks vortex $ranks &
     local run=$! victim
     sleep "$1"
-    victim=$(pgrep -f "gpuFsiFoam -parallel -case $work/vortex\$" \
+    # A rank, not what started it
+    victim=$(pgrep -f "^$FSI_BUILD/bin/gpuFsiFoam -parallel -case $work/vortex\$" \
         | sed -n "$(($2 + 1))p")
     [ -z "$victim" ] || kill -9 "$victim" 2> /dev/null
     wait $run
