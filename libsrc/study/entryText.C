@@ -105,6 +105,10 @@ private:
             return {};
         }
         const std::size_t begin = at_;
+        if (at("${"))
+        {
+            skipTo("}");
+        }
         at_ = std::min(text_.find_first_of(" \t\r\n;{}\"", at_), text_.size());
         return text_.substr(begin, at_ - begin);
     }
