@@ -2,6 +2,7 @@
 
 #include "base/log.H"
 #include "case/caseFileIO.H"
+#include "study/finestRun.H"
 
 #include <algorithm>
 #include <cmath>
@@ -209,19 +210,24 @@ curvePoint studyRun::pointOf(const member& m) const
 }
 
 
-//- The finest is what the others are measured by
-static void compareWithFinest(curve& c)
+void studyRun::compareWithFinestRuns(std::vector<curve>& all)
 {
-    const double finest = c.points.back().error;
-    c.points.pop_back();
-    for (curvePoint& p : c.points)
+    const std::string finest =
+        study_.parameters[study_.resolution].choices.back().label;
+    for (curve& c : all)
     {
-        p.error = std::fabs(p.error/finest - 1);
+        const std::string why = compareWithFinest(c, finest);
+        if (!why.empty())
+        {
+            failures_.push_back("curve " + c.name + ": left out, as " + why);
+            info("{}", failures_.back());
+            c.points.clear();
+        }
     }
 }
 
 
-std::vector<curve> studyRun::curves() const
+std::vector<curve> studyRun::curves()
 {
     std::vector<curve> all;
     for (const member& m : members_)
@@ -236,12 +242,12 @@ std::vector<curve> studyRun::curves() const
         }
         all.back().points.push_back(pointOf(m));
     }
+    if (study_.error.finest)
+    {
+        compareWithFinestRuns(all);
+    }
     for (curve& c : all)
     {
-        if (study_.error.finest)
-        {
-            compareWithFinest(c);
-        }
         addOrders(c);
     }
     return all;

@@ -69,13 +69,11 @@ static int errorVsRunTime(int argc, char** argv)
         runs.run();
     }
     const fs::path directory = args.casePath()/study.directory;
-    writeStudyFiles
-    (
-        study, directory, runs.curves(), compared, runs.failures()
-    );
+    const std::vector<curve> curves = runs.curves();
+    writeStudyFiles(study, directory, curves, compared, runs.failures());
     if (!runs.failures().empty())
     {
-        info("\n{} variants have failed, see above", runs.failures().size());
+        info("\n{} failures, see above", runs.failures().size());
         return 1;
     }
     info("\nEnd\n");
