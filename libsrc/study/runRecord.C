@@ -132,8 +132,14 @@ runRecord recordOfLog(const fs::path& file)
     runRecord r;
     r.particleSteps = number("Particle-steps = ", " ");
     const std::string tail = text.substr(text.rfind("Particle-steps = "));
-    r.loopSeconds = std::atof(between(tail, "loop = ", " ", file).c_str());
-    r.totalSeconds = number("ClockTime = ", " ");
+    const std::string line = tail.substr(0, tail.find('\n') + 1);
+    const auto inLine = [&](const char* before)
+    {
+        return std::atof(between(line, before, " ", file).c_str());
+    };
+    r.loopSeconds = inLine("loop = ");
+    r.totalSeconds = inLine("total = ");
+    r.ranks = int(inLine("ranks = "));
     r.h = number(", spacing ", ",");
     r.deltaT = number("deltaT = ", "\n");
     const std::string device = word("Device      : ", " precision\n");

@@ -147,7 +147,8 @@ TEST(runRecord, readsALog)
         "Particles   : 10 fluid, 4 wall, 0 solid, spacing 0.25, 2-D\n"
         "Schemes     : areaWeights radial, faces linear\n"
         "deltaT = 0.01\nTime = 1\ndeltaT = 0.02\n"
-        "Particle-steps = 1.5e+06  loop = 0.75 s  rate = 2 MIPPS\n"
+        "Particle-steps = 1.5e+06  loop = 0.75 s  total = 2.125 s  "
+        "ranks = 4  rate = 2 MIPPS\n"
         "ExecutionTime = 3 s  ClockTime = 2 s\n"
     );
     const runRecord r = recordOfLog(file);
@@ -158,7 +159,8 @@ TEST(runRecord, readsALog)
     EXPECT_EQ(r.deltaT, 0.02);
     EXPECT_EQ(r.particleSteps, 1.5e6);
     EXPECT_EQ(r.loopSeconds, 0.75);
-    EXPECT_EQ(r.totalSeconds, 2);
+    EXPECT_EQ(r.totalSeconds, 2.125);
+    EXPECT_EQ(r.ranks, 4);
     const auto other = s.write("log2", "nothing\n");
     expectIn("Particle-steps", messageOf([&] { recordOfLog(other); }));
 }
