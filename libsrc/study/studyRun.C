@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <sstream>
 
 namespace gpuFsi
@@ -161,6 +162,36 @@ void studyRun::warnOnce(const member& m)
 }
 
 
+//- Errors at different times are not those of one problem
+void studyRun::warnOfTimes() const
+{
+    const member* first = nullptr;
+    for (const member& m : members_)
+    {
+        if (m.records.empty())
+        {
+            continue;
+        }
+        const double time = m.records.back().time;
+        first = first ? first : &m;
+        const double wanted = first->records.back().time;
+        if (std::fabs(time - wanted) > 1e-6*std::fabs(wanted))
+        {
+            warning
+            (
+                fmt::format
+                (
+                    "The error of {} is that at Time = {:g}, but the error of "
+                    "{} is that at Time = {:g}", m.what.name, time,
+                    first->what.name, wanted
+                )
+            );
+            return;
+        }
+    }
+}
+
+
 double studyRun::secondsToFinish() const
 {
     double sum = 0;
@@ -229,6 +260,7 @@ void studyRun::compareWithFinestRuns(std::vector<curve>& all)
 
 std::vector<curve> studyRun::curves()
 {
+    warnOfTimes();
     std::vector<curve> all;
     for (const member& m : members_)
     {

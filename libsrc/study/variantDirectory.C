@@ -85,6 +85,31 @@ std::string lastWords(const fs::path& log)
     return all;
 }
 
+//- cost.dat, and the like that a second run from the same time leaves
+std::vector<fs::path> costFilesIn(const fs::path& directory)
+{
+    std::vector<fs::path> files;
+    if (fs::is_directory(directory))
+    {
+        for (const auto& entry : fs::directory_iterator(directory))
+        {
+            const std::string name = entry.path().filename().string();
+            if (name.compare(0, 4, "cost") == 0
+             && entry.path().extension() == ".dat")
+            {
+                files.push_back(entry.path());
+            }
+        }
+    }
+    return files;
+}
+
+
+double startTime(const fs::path& directory)
+{
+    return std::atof(directory.filename().c_str());
+}
+
 } // namespace
 
 
@@ -168,25 +193,29 @@ fs::path variantDirectory::costFile() const
     {
         for (const auto& entry : fs::directory_iterator(top))
         {
-            const fs::path file = entry.path()/"cost.dat";
-            if (fs::exists(file) && (latest.empty()
-             || std::atof(entry.path().filename().c_str())
-              > std::atof(latest.parent_path().filename().c_str())))
+            if (!costFilesIn(entry.path()).empty() && (latest.empty()
+             || startTime(entry.path()) > startTime(latest)))
             {
-                latest = file;
+                latest = entry.path();
             }
         }
     }
-    if (latest.empty())
+    const std::vector<fs::path> files = costFilesIn(latest);
+    if (files.size() != 1)
     {
         throw userError
         (
-            "The commands left no cost.dat of function object "
-          + study_.error.functionObject, {top.string()},
-            "controlDict needs a function object of that name, of type error."
+            files.empty()
+              ? "The commands left no cost.dat of function object "
+              + study_.error.functionObject
+              : fmt::format("There are {} tables cost*.dat: which is the "
+                    "run's?", files.size()),
+            {(latest.empty() ? top : latest).string()},
+            "controlDict needs a function object of that name, of type error; "
+            "the commands must run gpuFsiFoam once from a start time."
         );
     }
-    return latest;
+    return files[0];
 }
 
 
@@ -246,6 +275,14 @@ runRecord variantDirectory::run() const
     if (!std::isfinite(r.error))
     {
         throw userError("The error is not finite", {log.string()});
+    }
+    if (r.error < 0 && !study_.error.finest)
+    {
+        throw userError
+        (
+            fmt::format("The error is negative, {:g}", r.error),
+            {log.string()}, "Let command print its absolute value."
+        );
     }
     r.wallSeconds = ran.seconds;
     r.machine = machineName();

@@ -292,6 +292,21 @@ TEST(variantDirectory, namesWhatFailed)
         "left no cost.dat",
         failure("error { functionObject e; } commands (\"true\");")
     );
+    expectIn
+    (
+        "There are 2 tables cost*.dat",
+        failure("error { functionObject e; } commands (\"mkdir -p"
+            " postProcessing/e/1\" \"cd postProcessing/e\""
+            " \"touch cost.dat 1/cost.dat 1/cost_1.dat\");")
+    );
+    expectIn
+    (
+        "negative, -2",
+        failure("error { command \"echo -2\"; direct yes; } commands (\""
+            "printf 'Device      : d, double precision\\n, spacing 1,\\n"
+            "deltaT = 1\\nTime = 1\\nParticle-steps = 1 loop = 1 s total = 1 s"
+            " ranks = 1 rate\\n'\");")
+    );
 }
 
 
