@@ -80,6 +80,7 @@ void studyRun::runOnce(member& m)
         m.directory.prepare();
         m.records.push_back(m.directory.run());
         m.directory.keep(m.records);
+        warnOfRepeats(m);
         warnOnce(m);
         m.directory.removeFields();
     }
@@ -158,6 +159,26 @@ void studyRun::warnOnce(const member& m)
             warnings_.push_back(what);
             warning(m.what.name + ": " + line.substr(at));
         }
+    }
+}
+
+
+//- Runs of a variant are the same to the byte, unless its programs have changed
+//  or its commands depend on something else
+void studyRun::warnOfRepeats(const member& m) const
+{
+    const double first = m.records.front().error;
+    const double last = m.records.back().error;
+    if (last != first)
+    {
+        warning
+        (
+            fmt::format
+            (
+                "{}: its runs differ in {}: {:.9g} and {:.9g}", m.what.name,
+                study_.error.finest ? "value" : "error", first, last
+            )
+        );
     }
 }
 

@@ -4,6 +4,7 @@
 #include "study/caseCopy.H"
 #include "study/commandRun.H"
 #include "study/entryEdit.H"
+#include "study/includedFiles.H"
 #include "study/machine.H"
 
 #include <cmath>
@@ -128,8 +129,14 @@ std::string fingerprint(const studyDict& s, const fs::path& casePath)
     {
         if (file.filename().string().compare(0, 9, "studyDict") != 0)
         {
+            const std::string bytes = bytesOf(casePath/file);
             add(file.string());
-            add(bytesOf(casePath/file));
+            add(bytes);
+            for (const fs::path& included :
+                includedFiles(casePath/file, bytes))
+            {
+                add(bytesOf(included));
+            }
         }
     }
     return fmt::format("{:016x}", hash);
@@ -148,6 +155,7 @@ variantDirectory::variantDirectory
     casePath_(casePath),
     variant_(v),
     path_(casePath/s.directory/v.name),
+    caseBytes_(caseBytes),
     settings_(settingsOf(s, v, caseBytes))
 {}
 
@@ -164,6 +172,16 @@ std::vector<runRecord> variantDirectory::earlier() const
 
 void variantDirectory::prepare() const
 {
+    if (fingerprint(study_, casePath_) != caseBytes_)
+    {
+        throw userError
+        (
+            "The case has changed since the study began",
+            {casePath_.string()},
+            "Start errorVsRunTime again; name what is written there meanwhile "
+            "(nohup.out) in noCopy, or log.*."
+        );
+    }
     const std::vector<runRecord> runs = earlier();
     fs::remove_all(path_);
     for (const fs::path& file : ownFiles(casePath_, study_.noCopy))

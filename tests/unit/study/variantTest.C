@@ -261,6 +261,45 @@ TEST(variantDirectory, keepsRecordsOfTheSameSettingsOnly)
 }
 
 
+TEST(variantDirectory, refusesACaseThatHasChanged)
+{
+    const smallStudy c;
+    const studyDict s = c.study(std::string(rest) + parameters);
+    const auto all = allVariants(s);
+    const variantDirectory d
+    (
+        s, c.place.path, fingerprint(s, c.place.path), all[0]
+    );
+    d.prepare();
+    c.place.write("log.x", "what runs writes this");
+    d.prepare();
+    c.place.write("constant/x", "c 4;\n");
+    expectIn("has changed", messageOf([&] { d.prepare(); }));
+}
+
+
+TEST(fingerprint, holdsWhatIsIncluded)
+{
+    const scratch outside;
+    outside.write("common", "#includeIfPresent \"more\"\n a 1;");
+    const smallStudy c;
+    c.place.write
+    (
+        "constant/x", "c 3; include no;\n#include \""
+      + (outside.path/"common").string() + "\"\n#sinclude none\n"
+    );
+    const studyDict s = c.study(std::string(rest) + parameters);
+    std::set<std::string> marks{fingerprint(s, c.place.path)};
+    outside.write("common", "#includeIfPresent \"more\"\n a 2;");
+    marks.insert(fingerprint(s, c.place.path));
+    outside.write("more", "b 1;");
+    marks.insert(fingerprint(s, c.place.path));
+    outside.write("more", "b 2; #include \"more\"");
+    marks.insert(fingerprint(s, c.place.path));
+    EXPECT_EQ(marks.size(), 4u);
+}
+
+
 TEST(variantDirectory, namesWhatFailed)
 {
     const smallStudy c;
