@@ -35,7 +35,7 @@ void studyRun::forget()
 {
     for (member& m : members_)
     {
-        fs::remove_all(m.directory.path());
+        m.directory.forget();
         m.records.clear();
     }
 }

@@ -160,13 +160,20 @@ variantDirectory::variantDirectory
 {}
 
 
+fs::path variantDirectory::beside(const char* ending) const
+{
+    return path_.string() + ending;
+}
+
+
 std::vector<runRecord> variantDirectory::earlier() const
 {
-    if (!fs::exists(path_/"runs.dat") || bytesOf(path_/"settings") != settings_)
+    const fs::path runs = beside(".runs.dat");
+    if (!fs::exists(runs) || bytesOf(beside(".settings")) != settings_)
     {
         return {};
     }
-    return readRecords(path_/"runs.dat");
+    return readRecords(runs);
 }
 
 
@@ -182,7 +189,13 @@ void variantDirectory::prepare() const
             "(nohup.out) in noCopy, or log.*."
         );
     }
-    const std::vector<runRecord> runs = earlier();
+    if (bytesOf(beside(".settings")) != settings_)
+    {
+        // In this order: records never belong to other settings
+        fs::remove(beside(".runs.dat"));
+        fs::create_directories(path_.parent_path());
+        writeTextFile(beside(".settings"), settings_);
+    }
     fs::remove_all(path_);
     for (const fs::path& file : ownFiles(casePath_, study_.noCopy))
     {
@@ -190,11 +203,6 @@ void variantDirectory::prepare() const
         fs::copy_file(casePath_/file, path_/file);
     }
     fs::create_directories(path_);
-    writeTextFile(path_/"settings", settings_);
-    if (!runs.empty())
-    {
-        keep(runs);
-    }
     for (const variant::change& c : variant_.changes(study_))
     {
         setEntry(path_/c.entry.file, c.entry, c.value);
@@ -310,7 +318,15 @@ runRecord variantDirectory::run() const
 
 void variantDirectory::keep(const std::vector<runRecord>& runs) const
 {
-    writeRecords(path_/"runs.dat", runs);
+    writeRecords(beside(".runs.dat"), runs);
+}
+
+
+void variantDirectory::forget() const
+{
+    fs::remove(beside(".runs.dat"));
+    fs::remove(beside(".settings"));
+    fs::remove_all(path_);
 }
 
 

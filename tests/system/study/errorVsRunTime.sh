@@ -67,12 +67,20 @@ then
 fi
 
 # Interrupted in the last round: only what is missing runs
-sed -i '$d' "$study/scheme=moment_h=1.25/runs.dat"
+sed -i '$d' "$study/scheme=moment_h=1.25.runs.dat"
 sed -i 's/ momentum)/)/' "$work/pulse/system/studyDict"
 "$program" -case "$work/pulse" > "$work/log.second" 2>&1
 expect "exit code" $? "==" 0
 expect "runs done after the interruption" \
     "$(grep -c 'to finish' "$work/log.second")" "==" 1
+
+# Runs of a variant that differ are warned of
+sed -i '/^#/! s/^[^\t]*/0.5/' "$study/scheme=moment_h=1.25.runs.dat"
+sed -i '$d' "$study/scheme=moment_h=1.25.runs.dat"
+"$program" -case "$work/pulse" > "$work/log.differ" 2>&1
+expect "exit code" $? "==" 0
+expect "warning" "$(grep -c 'its runs differ in error: 0.5 and' \
+    "$work/log.differ")" "==" 1
 
 # Whatever changes the result makes the record void
 setEntry pulse/constant/fluidProperties mu 0.5

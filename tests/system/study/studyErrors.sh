@@ -38,6 +38,12 @@ fails "printed no number" \
 fails "'abc'" "$run $error
     parameters { h { entry \"system/controlDict:deltaT\"; values (abc); } }"
 fails "to compare with" "$run $error parameters { $h }" -compare nowhere
+fails "Give one of them" "$run $error parameters { $h }" -force -tableOnly
+mkdir -p "$work/pulse/study"
+exec 9> "$work/pulse/study/.lock"
+flock 9
+fails "Another errorVsRunTime" "$run $error parameters { $h }"
+exec 9>&-
 fails "Invalid option" "$run $error parameters { $h }" -comparison x
 
 # Those of the tutorials are read to the last key

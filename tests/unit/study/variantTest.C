@@ -1,4 +1,5 @@
 #include "scratch.H"
+#include "study/studyLock.H"
 #include "study/variant.H"
 #include "study/variantDirectory.H"
 
@@ -252,12 +253,50 @@ TEST(variantDirectory, keepsRecordsOfTheSameSettingsOnly)
     d.prepare();
     EXPECT_EQ(d.earlier().size(), 2u);
 
+    // Ended while it was made anew
+    std::filesystem::remove_all(d.path());
+    EXPECT_EQ(d.earlier().size(), 2u);
+
     // Another case
     c.place.write("constant/x", "c 4;\n");
     const auto others = fingerprint(s, c.place.path);
     EXPECT_NE(bytes, others);
     const variantDirectory e(s, c.place.path, others, all[0]);
     EXPECT_TRUE(e.earlier().empty());
+    e.prepare();
+    EXPECT_TRUE(d.earlier().empty());
+    e.keep({r});
+    EXPECT_EQ(e.earlier().size(), 1u);
+    e.forget();
+    EXPECT_TRUE(e.earlier().empty());
+    EXPECT_TRUE(std::filesystem::is_empty(c.place.path/"study"));
+}
+
+
+TEST(studyDict, hasADirectoryOfItsOwn)
+{
+    const smallStudy c;
+    const std::string text = std::string(rest) + parameters;
+    EXPECT_EQ(c.study(text).directory, "study");
+    for (const char* name : {"studyDict.gpu", "gpu"})
+    {
+        c.place.write(std::string("system/") + name, text);
+        const studyDict s =
+            studyDict::read(c.place.path, std::string("system/") + name);
+        EXPECT_EQ(s.directory, "study.gpu");
+    }
+}
+
+
+TEST(studyLock, isForOneAtATime)
+{
+    const scratch s;
+    {
+        const studyLock lock(s.path/"study");
+        expectIn("Another", messageOf([&] { studyLock(s.path/"study"); }));
+        const studyLock other(s.path/"study.gpu");
+    }
+    const studyLock again(s.path/"study");
 }
 
 
