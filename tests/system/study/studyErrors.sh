@@ -35,6 +35,11 @@ expect "finer ones left out" "$(grep -c 'left out, as h=1.25' "$work/log")" \
     ">=" 1
 fails "printed no number" \
     "$run error { command \"echo word\"; exact 1; } parameters { $h }"
+# The coarser run is not taken for the finest, which has failed
+fails "left out, as the run at 1, " "repeats 1;
+    commands (\"[ \$h = 1.25 ]\" \"seedParticles\" \"gpuFsiFoam\");
+    error { command \"echo 2\"; finest yes; } parameters { h {
+    entry \"system/seedParticlesDict:spacing\"; values (1.25 1); } }"
 fails "'abc'" "$run $error
     parameters { h { entry \"system/controlDict:deltaT\"; values (abc); } }"
 fails "to compare with" "$run $error parameters { $h }" -compare nowhere

@@ -4,6 +4,9 @@
 #include <csignal>
 #include <cstdlib>
 
+#include <sys/resource.h>
+#include <sys/wait.h>
+
 using namespace gpuFsi;
 
 namespace
@@ -63,6 +66,35 @@ TEST(runCommands, nothingOutlivesThem)
 }
 
 
+TEST(runCommands, endBeforeTheProgramThatASignalEnds)
+{
+    for (const int number : {SIGHUP, SIGQUIT, SIGTERM, SIGINT})
+    {
+        const scratch s;
+        const pid_t id = fork();
+        if (id == 0)
+        {
+            const rlimit noCore{0, 0};
+            setrlimit(RLIMIT_CORE, &noCore);
+            signal(number, SIG_DFL);
+            ran(s, {sleeper, "touch ready", "sleep 100"}, 100);
+            _exit(9);
+        }
+        for (int i = 0; i < 1000 && !std::filesystem::exists(s.path/"ready");
+            ++i)
+        {
+            usleep(10000);
+        }
+        kill(id, number);
+        int status = 0;
+        waitpid(id, &status, 0);
+        EXPECT_TRUE(WIFSIGNALED(status)) << number;
+        EXPECT_EQ(WTERMSIG(status), number);
+        EXPECT_EQ(nAlive(s, {"apart"}), 0);
+    }
+}
+
+
 TEST(runCommands, othersAreLeftAlone)
 {
     const pid_t id = fork();
@@ -75,6 +107,7 @@ TEST(runCommands, othersAreLeftAlone)
     EXPECT_EQ(ran(s, {"exit 3"}, 100).code, 3);
     EXPECT_EQ(kill(id, 0), 0);
     kill(id, SIGKILL);
+    waitpid(id, nullptr, 0);
 }
 
 
