@@ -152,7 +152,6 @@ private:
             return;
         }
         at_ = value;
-        // A macro alone, as in $first;
         skipValue();
         if (last && at_ < text_.size())
         {

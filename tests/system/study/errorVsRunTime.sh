@@ -83,7 +83,7 @@ expect "warning" "$(grep -c 'its runs differ in error: 0.5 and' \
     "$work/log.differ")" "==" 1
 
 # So are errors at different times
-awk -F '\t' -v OFS='\t' '!/^#/ { $7 = 0.5 } { print }' \
+awk -F '\t' -v OFS='\t' '!/^#/ { $8 = 0.5 } { print }' \
     "$study/scheme=moment_h=1.25.runs.dat" > "$work/runs.dat"
 cp "$work/runs.dat" "$study/scheme=moment_h=1.25.runs.dat"
 "$program" -case "$work/pulse" -tableOnly > "$work/log.times" 2>&1
