@@ -225,7 +225,7 @@ void Time::implementation::takeSignals()
         return;
     }
     signalsTaken = true;
-    enum : std::uint64_t { now = 1, stop = 2, changed = 4, clock = 8 };
+    constexpr std::uint64_t now = 1, stop = 2, changed = 4, clock = 8;
     std::uint64_t asked = signalWatch::takeWriteNow() ? now : 0;
     asked |= signalWatch::takeStop() ? stop : 0;
     if (ranks.many() && ranks.master)

@@ -94,7 +94,11 @@ static void checkRanks(const particleSchemes& schemes, const solidScene* solids)
 
 
 //- A GPU for every rank, or for none
-static void chooseGpu(const std::string& backend, const communicator& ranks)
+static void chooseGpu
+(
+    [[maybe_unused]] const std::string& backend,
+    const communicator& ranks
+)
 {
 #ifdef FSI_HAVE_CUDA
     const bool here = backend != "cpu" && cudaBackend::available();
