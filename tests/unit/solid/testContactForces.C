@@ -2,6 +2,7 @@
 // their energy.
 
 #include "contactScene.H"
+#include "solid/contactSearch.H"
 #include "solid/contactShape.H"
 
 #include <gtest/gtest.h>
@@ -140,8 +141,12 @@ TEST(contact, forceIsMinusTheGradientOfTheEnergy)
             {
                 continue;
             }
-            for (double vector::*axis : {&vector::x, &vector::y})
+            for (double vector::*axis : {&vector::x, &vector::y, &vector::z})
             {
+                if (D == 2 && axis == &vector::z)
+                {
+                    continue;
+                }
                 std::vector<vector> to = scene.x, fro = scene.x;
                 to[i].*axis += step;
                 fro[i].*axis -= step;
@@ -167,4 +172,32 @@ TEST(contact, gapIsNoWiderThanAsSeeded)
         wide.solver(wide.x)->energies().contact,
         narrow.solver(narrow.x)->energies().contact
     );
+}
+
+
+//- As for mm: more than ten spacings of 0.2
+TEST(contact, lengthsInAnotherUnit)
+{
+    for (const char* length : {"gap 2.1;", "margin 2.1;"})
+    {
+        const overlap scene(2, length);
+        try
+        {
+            scene.solver(scene.mesh.points);
+            ADD_FAILURE() << length;
+        }
+        catch (const userError& e)
+        {
+            const std::string text = e.what();
+            EXPECT_NE(text.find("is 2.1 m"), std::string::npos) << text;
+            EXPECT_NE(text.find("spacing, 0."), std::string::npos) << text;
+        }
+    }
+}
+
+
+TEST(contact, candidatesPastAnInt)
+{
+    EXPECT_EQ(contactRowEnd(2147483647u), 2147483647);
+    EXPECT_THROW(contactRowEnd(2147483648u), userError);
 }
