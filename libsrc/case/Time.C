@@ -129,7 +129,15 @@ void Time::write
     {
         atomicFolder folder(impl_->timesPath, name);
         impl_->ranks.agree([&] { folder.fill(all); });
-        impl_->ranks.agree([&] { folder.clear(); });
+        try
+        {
+            impl_->ranks.agree([&] { folder.clear(); });
+        }
+        catch (...)
+        {
+            folder.restore();    // whole on all ranks again
+            throw;
+        }
         impl_->ranks.agree([&] { folder.publish(); });
     }
     else

@@ -84,6 +84,16 @@ void atomicFolder::clear()
 }
 
 
+void atomicFolder::restore()
+{
+    std::error_code ignored;
+    if (!fs::exists(target_, ignored))
+    {
+        fs::rename(partial_/"former", target_, ignored);
+    }
+}
+
+
 void atomicFolder::publish()
 {
     writing(target_, [&] { fs::rename(inside_, target_); });

@@ -1,5 +1,6 @@
 #include "case/timeImplementation.H"
 
+#include "base/digest.H"
 #include "base/log.H"
 
 #include <algorithm>
@@ -123,16 +124,37 @@ void Time::implementation::readModified()
         return;
     }
     timeControls fresh;
+    std::string wrong;
     try
     {
         fresh = timeControls::read(dictionary::fromFile(controlFile));
     }
     catch (const userError& e)
     {
+        wrong = e.what();
+    }
+    // Another rank may see an older file, or half of one
+    const bool differed = controlsDiffer;
+    controlsDiffer =
+        !ranks.same(wrong.empty() ? digestOfFile(controlFile) : 0);
+    if (controlsDiffer)
+    {
+        if (!differed)
+        {
+            warning
+            (
+                "controlDict was changed, but not all ranks read the same yet; "
+                "its former values stay until they do"
+            );
+        }
+        return;
+    }
+    if (!wrong.empty())
+    {
         warning
         (
             "controlDict was changed but cannot be used; its former values "
-            "stay:\n" + std::string(e.what())
+            "stay:\n" + wrong
         );
         return;
     }
@@ -208,12 +230,19 @@ void Time::implementation::takeSignals()
     asked |= signalWatch::takeStop() ? stop : 0;
     if (ranks.many() && ranks.master)
     {
-        asked |= controlVersion.changed() ? changed : 0;
+        asked |= controlVersion.changed() || controlsDiffer ? changed : 0;
         asked |= writeTime && countsClock() ? clock : 0;
     }
     asked = ranks.either(asked);
     controlsChanged = asked & changed;
-    writeTime = writeTime || (asked & clock);
+    if (asked & clock)
+    {
+        writeTime = true;
+        if (controls.stopAt == timeControls::stop::nextWrite)
+        {
+            endTime = state.value;
+        }
+    }
     if (asked & now)
     {
         info("Signal: writing time {}", timeNameNow());

@@ -16,6 +16,8 @@ static std::uint32_t topOf(double x, double lo, double span)
 }
 
 
+constexpr double mostBlocks = 1 << 24;
+
 blockGrid blockGrid::of(const domain& d, const frame& f, double reach)
 {
     const double lo[3] = {d.lo.x, d.lo.y, d.lo.z};
@@ -36,7 +38,16 @@ blockGrid blockGrid::of(const domain& d, const frame& f, double reach)
         g.width[i] = g.periodic[i] || flat
           ? std::uint64_t(1) << 32
           : std::uint64_t(std::ceil(std::ldexp(length/span[i], 32)));
-        size[i] = length/g.n[i];
+    }
+    // Every rank holds a table of all blocks
+    while (double(g.n[0])*g.n[1]*g.n[2] > mostBlocks)
+    {
+        int& most = *std::max_element(g.n, g.n + 3);
+        most = (most + 1)/2;
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+        size[i] = (hi[i] - lo[i])/g.n[i];
     }
     g.origin = d.lo;
     g.size = {size[0], size[1], size[2]};

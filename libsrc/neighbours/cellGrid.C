@@ -1,6 +1,10 @@
 #include "neighbours/cellGrid.H"
 
+#include "base/error.H"
+
 #include <algorithm>
+#include <fmt/format.h>
+#include <limits>
 
 namespace gpuFsi
 {
@@ -41,6 +45,21 @@ cellGrid cellGrid::of(const domain& d, const frame& f, double searchRadius)
             const int last = int(std::floor((hi[i] - origin[i])/width)) + 1;
             g.count[i] = last - g.first[i] + 1;
         }
+    }
+    const double cells = double(g.count[0])*g.count[1]*g.count[2];
+    if (cells >= std::numeric_limits<int>::max())
+    {
+        throw userError
+        (
+            fmt::format
+            (
+                "The domain has {:.3g} cells to search for neighbours; at most "
+                "{} may be", cells, std::numeric_limits<int>::max()
+            ),
+            {},
+            "Narrow `bounds` in system/seedParticlesDict to where particles can "
+            "be, or use a coarser spacing."
+        );
     }
     return g;
 }

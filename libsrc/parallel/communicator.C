@@ -16,6 +16,14 @@ bool communicator::any(bool here) const
 }
 
 
+bool communicator::same(std::uint64_t value) const
+{
+    std::uint64_t bits[2] = {value, ~value};
+    bitOr(bits, 2);
+    return bits[0] == ~bits[1];
+}
+
+
 void communicator::agree(const std::function<void()>& f) const
 {
     std::string what;

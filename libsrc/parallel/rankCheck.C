@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 namespace gpuFsi
 {
 
@@ -18,7 +20,35 @@ static rankContents overAll(const communicator& ranks, const rankContents& own)
 rankCheck::rankCheck(const communicator& ranks, const rankContents& own)
 :
     expected_(overAll(ranks, own))
-{}
+{
+    const std::int64_t n = expected_.walls + expected_.fluid;
+    if (n > std::numeric_limits<int>::max())
+    {
+        throw agreedError
+        (
+            fmt::format
+            (
+                "{} particles are more than the {} that there may be\n    Use a "
+                "coarser spacing.", n, std::numeric_limits<int>::max()
+            ),
+            false
+        );
+    }
+    // Ids count from 0
+    if (std::uint64_t(expected_.ids) != std::uint64_t(n)*std::uint64_t(n + 1)/2)
+    {
+        throw agreedError
+        (
+            fmt::format
+            (
+                "The processor directories are not of one decomposition: among "
+                "the ids of their {} particles some are missing or double\n"
+                "    Decompose the case again.", n
+            ),
+            false
+        );
+    }
+}
 
 
 void rankCheck::compare(const communicator& ranks, const rankContents& own) const

@@ -1,5 +1,7 @@
 #include "stepping/fluidSolver.H"
 
+#include "parallel/agreedError.H"
+
 #include "device/useCuda.H"
 #include "stepping/backendSolvers.H"
 
@@ -74,7 +76,7 @@ static void checkRanks(const particleSchemes& schemes, const solidScene* solids)
             "On many ranks neighbours are found by cells, but "
             "system/particleSchemes asks for localUpdate",
             {},
-            "Set 'search cells' there."
+            "Set 'method cellSearch' there."
         );
     }
     using law = couplingProperties::law;
@@ -88,6 +90,33 @@ static void checkRanks(const particleSchemes& schemes, const solidScene* solids)
             "Set 'force surface' in constant/couplingProperties."
         );
     }
+}
+
+
+//- A GPU for every rank, or for none
+static void chooseGpu(const std::string& backend, const communicator& ranks)
+{
+#ifdef FSI_HAVE_CUDA
+    const bool here = backend != "cpu" && cudaBackend::available();
+#else
+    const bool here = false;
+#endif
+    const bool some = ranks.any(here), lack = ranks.any(!here);
+    if (some && lack)
+    {
+        throw agreedError
+        (
+            "Some ranks have a GPU and others have none\n    Set 'backend cpu' "
+            "in system/controlDict, or leave those nodes out.",
+            false
+        );
+    }
+#ifdef FSI_HAVE_CUDA
+    if (here)
+    {
+        cudaBackend::choose(ranks.rankOnNode());
+    }
+#endif
 }
 
 
@@ -108,12 +137,7 @@ std::unique_ptr<fluidSolver> fluidSolver::make
     if (ranks)
     {
         checkRanks(schemes, solids);
-#ifdef FSI_HAVE_CUDA
-        if (backend != "cpu" && cudaBackend::available())
-        {
-            cudaBackend::choose(ranks->ranks.rankOnNode());
-        }
-#endif
+        chooseGpu(backend, ranks->ranks);
     }
     if (useCuda(backend))
     {

@@ -2,14 +2,18 @@
 
 #include "base/error.H"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <thread>
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,41 +25,133 @@ namespace fs = std::filesystem;
 namespace
 {
 
-volatile sig_atomic_t child = 0;
+volatile sig_atomic_t asked = 0;
 
-//- The commands have a process group of their own, which ends with us
-extern "C" void endWithChild(int number)
+extern "C" void noteSignal(int number)
 {
-    if (child)
-    {
-        kill(-child, SIGTERM);
-    }
-    signal(number, SIG_DFL);
-    raise(number);
+    asked = number;
 }
 
-//- Handlers while commands run
-class signalGuard
+//- While commands run: signals that end this program are noted, so that the
+//  commands end before it; and what outlives its parent becomes our child
+class processGuard
 {
 public:
 
-    signalGuard()
-    :
-        interrupt_(signal(SIGINT, endWithChild)),
-        terminate_(signal(SIGTERM, endWithChild))
-    {}
-
-    ~signalGuard()
+    processGuard()
     {
-        child = 0;
-        signal(SIGINT, interrupt_);
-        signal(SIGTERM, terminate_);
+        asked = 0;
+        for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
+        {
+            const sighandler_t former = signal(number, noteSignal);
+            if (former == SIG_IGN)
+            {
+                signal(number, SIG_IGN);    // nohup
+            }
+            former_.push_back({number, former});
+        }
+        prctl(PR_GET_CHILD_SUBREAPER, &reaper_);
+        prctl(PR_SET_CHILD_SUBREAPER, 1);
+    }
+
+    ~processGuard()
+    {
+        prctl(PR_SET_CHILD_SUBREAPER, reaper_);
+        for (const auto& [number, handler] : former_)
+        {
+            signal(number, handler);
+        }
     }
 
 private:
 
-    sighandler_t interrupt_, terminate_;
+    std::vector<std::pair<int, sighandler_t>> former_;
+    int reaper_ = 0;
 };
+
+
+using steadyClock = std::chrono::steady_clock;
+
+double secondsSince(steadyClock::time_point begin)
+{
+    return std::chrono::duration<double>(steadyClock::now() - begin).count();
+}
+
+
+void waitABit()
+{
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
+
+//- /proc/<id>/stat: id (name) state parent; the name may hold anything
+pid_t parentOf(const fs::path& process)
+{
+    std::ifstream stream(process/"stat");
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::size_t name = text.rfind(')');
+    return name == text.npos || name + 4 > text.size()
+      ? 0 : std::atoi(text.c_str() + name + 4);
+}
+
+
+//- Of this program, those that have ended but are not waited for among them
+std::vector<pid_t> children()
+{
+    std::vector<pid_t> all;
+    std::error_code code;
+    fs::directory_iterator it("/proc", code), end;
+    for (; !code && it != end; it.increment(code))
+    {
+        const pid_t id = std::atoi(it->path().filename().c_str());
+        if (id > 0 && parentOf(it->path()) == getpid())
+        {
+            all.push_back(id);
+        }
+    }
+    return all;
+}
+
+
+bool holds(const std::vector<pid_t>& list, pid_t id)
+{
+    return std::find(list.begin(), list.end(), id) != list.end();
+}
+
+
+//- End all children but the former ones, and theirs as these fall to us.
+//  SIGTERM first, once each: mpirun then ends its ranks, here and elsewhere.
+void endChildren(const std::vector<pid_t>& former)
+{
+    for (const int number : {SIGTERM, SIGKILL})
+    {
+        std::vector<pid_t> told;
+        const auto begin = steadyClock::now();
+        while (secondsSince(begin) < 10)
+        {
+            bool any = false;
+            for (const pid_t id : children())
+            {
+                if (holds(former, id))
+                {
+                    continue;
+                }
+                any = true;
+                if (!holds(told, id))
+                {
+                    told.push_back(id);
+                    kill(id, number);
+                }
+                waitpid(id, nullptr, WNOHANG);
+            }
+            if (!any)
+            {
+                return;
+            }
+            waitABit();
+        }
+    }
+}
 
 
 void setEnvironment(const std::vector<std::string>& environment)
@@ -88,7 +184,9 @@ void setEnvironment(const std::vector<std::string>& environment)
     const fs::path& log
 )
 {
+    // What a terminal sends goes to this program alone
     setpgid(0, 0);
+    signal(SIGTERM, SIG_DFL);
     setEnvironment(environment);
     const int out =
         open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
@@ -103,6 +201,30 @@ void setEnvironment(const std::vector<std::string>& environment)
         );
     }
     _exit(127);
+}
+
+
+pid_t start
+(
+    const fs::path& directory,
+    const std::string& script,
+    const std::vector<std::string>& environment,
+    const fs::path& log
+)
+{
+    const pid_t id = fork();
+    if (id < 0)
+    {
+        throw userError
+        (
+            std::string("Cannot start bash: ") + std::strerror(errno)
+        );
+    }
+    if (id == 0)
+    {
+        become(directory, script, environment, log);
+    }
+    return id;
 }
 
 
@@ -123,46 +245,32 @@ commandOutcome runCommands
     double timeLimit
 )
 {
-    using clock = std::chrono::steady_clock;
     std::string script;
     for (const std::string& command : commands)
     {
         script += command + '\n';
     }
-    const signalGuard guard;
-    const auto begin = clock::now();
-    const pid_t id = fork();
-    if (id < 0)
-    {
-        throw userError
-        (
-            std::string("Cannot start bash: ") + std::strerror(errno)
-        );
-    }
-    if (id == 0)
-    {
-        become(directory, script, environment, log);
-    }
-    child = id;
     commandOutcome result;
-    const auto seconds = [&]
     {
-        return std::chrono::duration<double>(clock::now() - begin).count();
-    };
-    int status = 0;
-    while (waitpid(id, &status, WNOHANG) == 0)
-    {
-        if (seconds() > timeLimit)
+        const processGuard guard;
+        const std::vector<pid_t> former = children();
+        const auto begin = steadyClock::now();
+        int status = 0;
+        const pid_t id = start(directory, script, environment, log);
+        while (!asked && !result.timedOut && waitpid(id, &status, WNOHANG) == 0)
         {
-            result.timedOut = true;
-            kill(-id, SIGKILL);
-            waitpid(id, &status, 0);
-            break;
+            waitABit();
+            result.timedOut = secondsSince(begin) > timeLimit;
         }
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        result.seconds = secondsSince(begin);
+        result.code = result.timedOut ? 128 + SIGTERM : exitCode(status);
+        endChildren(former);
     }
-    result.seconds = seconds();
-    result.code = exitCode(status);
+    if (asked)
+    {
+        raise(asked);
+        result.code = 128 + asked;
+    }
     return result;
 }
 

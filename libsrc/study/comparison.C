@@ -1,6 +1,7 @@
 #include "study/comparison.H"
 
 #include "base/error.H"
+#include "base/log.H"
 #include "dictionary/number.H"
 
 #include <cmath>
@@ -60,19 +61,27 @@ curvePoint pointOf(const textTable& t, std::size_t i)
     p.run.precision = textOr(t, i, "precision", "");
     p.run.scheme = textOr(t, i, "scheme", "");
     p.run.machine = textOr(t, i, "machine", "machine not named");
-    if (!(p.error > 0) || !(p.seconds.median > 0))
+    return p;
+}
+
+
+//- Has it a place among logarithms? Warns where not.
+bool canBeDrawn(const curvePoint& p, const textTable& t, std::size_t row)
+{
+    const bool good = p.error > 0 && p.seconds.median > 0;
+    if (!good)
     {
-        throw userError
+        warning
         (
             fmt::format
             (
-                "Row {} has error {} and seconds {}: both must be greater "
-                "than 0", i + 1, p.error, p.seconds.median
-            ),
-            {t.file().string()}, "Leave such a row out."
+                "Row {} of {} is left out: it has error {} and seconds {}, of "
+                "which both must be greater than 0", row + 1,
+                t.file().string(), p.error, p.seconds.median
+            )
         );
     }
-    return p;
+    return good;
 }
 
 
@@ -101,6 +110,11 @@ std::vector<curve> readCurves(const fs::path& given)
     std::vector<curve> all;
     for (std::size_t i = 0; i < t.size(); ++i)
     {
+        const curvePoint p = pointOf(t, i);
+        if (!canBeDrawn(p, t, i))
+        {
+            continue;
+        }
         const std::string name = t.text(i, "curve");
         auto c = all.begin();
         while (c != all.end() && c->name != name)
@@ -112,7 +126,7 @@ std::vector<curve> readCurves(const fs::path& given)
             all.push_back({name, true, {}});
             c = all.end() - 1;
         }
-        c->points.push_back(pointOf(t, i));
+        c->points.push_back(p);
     }
     for (curve& c : all)
     {

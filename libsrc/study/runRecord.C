@@ -14,17 +14,17 @@ namespace fs = std::filesystem;
 void writeRecords(const fs::path& file, const std::vector<runRecord>& runs)
 {
     std::string text = "# error\tloopSeconds\ttotalSeconds\twallSeconds\t"
-        "particleSteps\th\tdeltaT\tranks\tdevice\tprecision\tscheme\t"
-        "machine\n";
+        "particleSteps\th\tdeltaT\tTime\tranks\tdevice\tprecision\t"
+        "scheme\tmachine\n";
     for (const runRecord& r : runs)
     {
         text += fmt::format
         (
-            "{:.17g}\t{:.9g}\t{:.9g}\t{:.9g}\t{:.17g}\t{:.12g}\t{:.12g}\t{}\t"
-            "{}\t{}\t{}\t{}\n",
+            "{:.17g}\t{:.9g}\t{:.9g}\t{:.9g}\t{:.17g}\t{:.12g}\t{:.12g}\t"
+            "{:.12g}\t{}\t{}\t{}\t{}\t{}\n",
             r.error, r.loopSeconds, r.totalSeconds, r.wallSeconds,
-            r.particleSteps, r.h, r.deltaT, r.ranks, r.device, r.precision,
-            r.scheme, r.machine
+            r.particleSteps, r.h, r.deltaT, r.time, r.ranks, r.device,
+            r.precision, r.scheme, r.machine
         );
     }
     // Whole or not at all: a later run of the program builds on it
@@ -42,6 +42,7 @@ static runRecord recordOfRow(const textTable& t, std::size_t i)
     r.particleSteps = t.number(i, "particleSteps");
     r.h = t.number(i, "h");
     r.deltaT = t.number(i, "deltaT");
+    r.time = t.number(i, "Time");
     r.ranks = int(t.number(i, "ranks"));
     r.device = t.text(i, "device");
     r.precision = t.text(i, "precision");
@@ -132,10 +133,17 @@ runRecord recordOfLog(const fs::path& file)
     runRecord r;
     r.particleSteps = number("Particle-steps = ", " ");
     const std::string tail = text.substr(text.rfind("Particle-steps = "));
-    r.loopSeconds = std::atof(between(tail, "loop = ", " ", file).c_str());
-    r.totalSeconds = number("ClockTime = ", " ");
+    const std::string line = tail.substr(0, tail.find('\n') + 1);
+    const auto inLine = [&](const char* before)
+    {
+        return std::atof(between(line, before, " ", file).c_str());
+    };
+    r.loopSeconds = inLine("loop = ");
+    r.totalSeconds = inLine("total = ");
+    r.ranks = int(inLine("ranks = "));
     r.h = number(", spacing ", ",");
     r.deltaT = number("deltaT = ", "\n");
+    r.time = number("\nTime = ", "\n");
     const std::string device = word("Device      : ", " precision\n");
     const std::size_t comma = device.rfind(", ");
     r.device = device.substr(0, comma);

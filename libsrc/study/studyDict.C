@@ -154,10 +154,22 @@ void readParameters(studyDict& s, const dictionary& dict)
 }
 
 
-std::string readDirectory(const dictionary& dict)
+//- studyDict.gpu: study.gpu, as two studies in one directory would void each
+//  other's records
+std::string defaultDirectory(const fs::path& file)
 {
-    const std::string name =
-        dict.getOrDefault<std::string>("directory", "study");
+    const std::string name = file.filename().string();
+    return name.compare(0, 9, "studyDict") == 0
+      ? "study" + name.substr(9) : "study." + name;
+}
+
+
+std::string readDirectory(const dictionary& dict, const fs::path& file)
+{
+    const std::string name = dict.getOrDefault<std::string>
+    (
+        "directory", defaultDirectory(file)
+    );
     // Removed and made anew piecemeal: never a directory of the case itself
     if (name.compare(0, 5, "study") != 0
      || name.find('/') != std::string::npos)
@@ -203,7 +215,7 @@ studyDict studyDict::read(const fs::path& casePath, const std::string& file)
     (
         "title", casePath.filename().string()
     );
-    s.directory = readDirectory(dict);
+    s.directory = readDirectory(dict, file);
     s.commands = dict.get<std::vector<std::string>>("commands");
     s.error = readError(dict.subDict("error"));
     s.repeats = int(dict.getNumberOrDefault("repeats", 3, 1, 1000));

@@ -2,9 +2,11 @@
 
 #include "base/log.H"
 #include "case/caseFileIO.H"
+#include "study/finestRun.H"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <sstream>
 
 namespace gpuFsi
@@ -33,7 +35,7 @@ void studyRun::forget()
 {
     for (member& m : members_)
     {
-        fs::remove_all(m.directory.path());
+        m.directory.forget();
         m.records.clear();
     }
 }
@@ -78,6 +80,7 @@ void studyRun::runOnce(member& m)
         m.directory.prepare();
         m.records.push_back(m.directory.run());
         m.directory.keep(m.records);
+        warnOfRepeats(m);
         warnOnce(m);
         m.directory.removeFields();
     }
@@ -160,6 +163,56 @@ void studyRun::warnOnce(const member& m)
 }
 
 
+//- Runs of a variant are the same to the byte, unless its programs have changed
+//  or its commands depend on something else
+void studyRun::warnOfRepeats(const member& m) const
+{
+    const double first = m.records.front().error;
+    const double last = m.records.back().error;
+    if (last != first)
+    {
+        warning
+        (
+            fmt::format
+            (
+                "{}: its runs differ in {}: {:.9g} and {:.9g}", m.what.name,
+                study_.error.finest ? "value" : "error", first, last
+            )
+        );
+    }
+}
+
+
+//- Errors at different times are not those of one problem
+void studyRun::warnOfTimes() const
+{
+    const member* first = nullptr;
+    for (const member& m : members_)
+    {
+        if (m.records.empty())
+        {
+            continue;
+        }
+        const double time = m.records.back().time;
+        first = first ? first : &m;
+        const double wanted = first->records.back().time;
+        if (std::fabs(time - wanted) > 1e-6*std::fabs(wanted))
+        {
+            warning
+            (
+                fmt::format
+                (
+                    "The error of {} is that at Time = {:g}, but the error of "
+                    "{} is that at Time = {:g}", m.what.name, time,
+                    first->what.name, wanted
+                )
+            );
+            return;
+        }
+    }
+}
+
+
 double studyRun::secondsToFinish() const
 {
     double sum = 0;
@@ -209,20 +262,26 @@ curvePoint studyRun::pointOf(const member& m) const
 }
 
 
-//- The finest is what the others are measured by
-static void compareWithFinest(curve& c)
+void studyRun::compareWithFinestRuns(std::vector<curve>& all)
 {
-    const double finest = c.points.back().error;
-    c.points.pop_back();
-    for (curvePoint& p : c.points)
+    const std::string finest =
+        study_.parameters[study_.resolution].choices.back().label;
+    for (curve& c : all)
     {
-        p.error = std::fabs(p.error/finest - 1);
+        const std::string why = compareWithFinest(c, finest);
+        if (!why.empty())
+        {
+            failures_.push_back("curve " + c.name + ": left out, as " + why);
+            info("{}", failures_.back());
+            c.points.clear();
+        }
     }
 }
 
 
-std::vector<curve> studyRun::curves() const
+std::vector<curve> studyRun::curves()
 {
+    warnOfTimes();
     std::vector<curve> all;
     for (const member& m : members_)
     {
@@ -236,12 +295,12 @@ std::vector<curve> studyRun::curves() const
         }
         all.back().points.push_back(pointOf(m));
     }
+    if (study_.error.finest)
+    {
+        compareWithFinestRuns(all);
+    }
     for (curve& c : all)
     {
-        if (study_.error.finest)
-        {
-            compareWithFinest(c);
-        }
         addOrders(c);
     }
     return all;

@@ -4,6 +4,7 @@
 #include "study/caseCopy.H"
 #include "study/commandRun.H"
 #include "study/entryEdit.H"
+#include "study/includedFiles.H"
 #include "study/machine.H"
 
 #include <cmath>
@@ -85,6 +86,31 @@ std::string lastWords(const fs::path& log)
     return all;
 }
 
+//- cost.dat, and the like that a second run from the same time leaves
+std::vector<fs::path> costFilesIn(const fs::path& directory)
+{
+    std::vector<fs::path> files;
+    if (fs::is_directory(directory))
+    {
+        for (const auto& entry : fs::directory_iterator(directory))
+        {
+            const std::string name = entry.path().filename().string();
+            if (name.compare(0, 4, "cost") == 0
+             && entry.path().extension() == ".dat")
+            {
+                files.push_back(entry.path());
+            }
+        }
+    }
+    return files;
+}
+
+
+double startTime(const fs::path& directory)
+{
+    return std::atof(directory.filename().c_str());
+}
+
 } // namespace
 
 
@@ -103,8 +129,14 @@ std::string fingerprint(const studyDict& s, const fs::path& casePath)
     {
         if (file.filename().string().compare(0, 9, "studyDict") != 0)
         {
+            const std::string bytes = bytesOf(casePath/file);
             add(file.string());
-            add(bytesOf(casePath/file));
+            add(bytes);
+            for (const fs::path& included :
+                includedFiles(casePath/file, bytes))
+            {
+                add(bytesOf(included));
+            }
         }
     }
     return fmt::format("{:016x}", hash);
@@ -123,23 +155,47 @@ variantDirectory::variantDirectory
     casePath_(casePath),
     variant_(v),
     path_(casePath/s.directory/v.name),
+    caseBytes_(caseBytes),
     settings_(settingsOf(s, v, caseBytes))
 {}
 
 
+fs::path variantDirectory::beside(const char* ending) const
+{
+    return path_.string() + ending;
+}
+
+
 std::vector<runRecord> variantDirectory::earlier() const
 {
-    if (!fs::exists(path_/"runs.dat") || bytesOf(path_/"settings") != settings_)
+    const fs::path runs = beside(".runs.dat");
+    if (!fs::exists(runs) || bytesOf(beside(".settings")) != settings_)
     {
         return {};
     }
-    return readRecords(path_/"runs.dat");
+    return readRecords(runs);
 }
 
 
 void variantDirectory::prepare() const
 {
-    const std::vector<runRecord> runs = earlier();
+    if (fingerprint(study_, casePath_) != caseBytes_)
+    {
+        throw userError
+        (
+            "The case has changed since the study began",
+            {casePath_.string()},
+            "Start errorVsRunTime again; name what is written there meanwhile "
+            "(nohup.out) in noCopy, or log.*."
+        );
+    }
+    if (bytesOf(beside(".settings")) != settings_)
+    {
+        // In this order: records never belong to other settings
+        fs::remove(beside(".runs.dat"));
+        fs::create_directories(path_.parent_path());
+        writeTextFile(beside(".settings"), settings_);
+    }
     fs::remove_all(path_);
     for (const fs::path& file : ownFiles(casePath_, study_.noCopy))
     {
@@ -147,11 +203,6 @@ void variantDirectory::prepare() const
         fs::copy_file(casePath_/file, path_/file);
     }
     fs::create_directories(path_);
-    writeTextFile(path_/"settings", settings_);
-    if (!runs.empty())
-    {
-        keep(runs);
-    }
     for (const variant::change& c : variant_.changes(study_))
     {
         setEntry(path_/c.entry.file, c.entry, c.value);
@@ -168,25 +219,29 @@ fs::path variantDirectory::costFile() const
     {
         for (const auto& entry : fs::directory_iterator(top))
         {
-            const fs::path file = entry.path()/"cost.dat";
-            if (fs::exists(file) && (latest.empty()
-             || std::atof(entry.path().filename().c_str())
-              > std::atof(latest.parent_path().filename().c_str())))
+            if (!costFilesIn(entry.path()).empty() && (latest.empty()
+             || startTime(entry.path()) > startTime(latest)))
             {
-                latest = file;
+                latest = entry.path();
             }
         }
     }
-    if (latest.empty())
+    const std::vector<fs::path> files = costFilesIn(latest);
+    if (files.size() != 1)
     {
         throw userError
         (
-            "The commands left no cost.dat of function object "
-          + study_.error.functionObject, {top.string()},
-            "controlDict needs a function object of that name, of type error."
+            files.empty()
+              ? "The commands left no cost.dat of function object "
+              + study_.error.functionObject
+              : fmt::format("There are {} tables cost*.dat: which is the "
+                    "run's?", files.size()),
+            {(latest.empty() ? top : latest).string()},
+            "controlDict needs a function object of that name, of type error; "
+            "the commands must run gpuFsiFoam once from a start time."
         );
     }
-    return latest;
+    return files[0];
 }
 
 
@@ -247,6 +302,14 @@ runRecord variantDirectory::run() const
     {
         throw userError("The error is not finite", {log.string()});
     }
+    if (r.error < 0 && !study_.error.finest)
+    {
+        throw userError
+        (
+            fmt::format("The error is negative, {:g}", r.error),
+            {log.string()}, "Let command print its absolute value."
+        );
+    }
     r.wallSeconds = ran.seconds;
     r.machine = machineName();
     return r;
@@ -255,7 +318,15 @@ runRecord variantDirectory::run() const
 
 void variantDirectory::keep(const std::vector<runRecord>& runs) const
 {
-    writeRecords(path_/"runs.dat", runs);
+    writeRecords(beside(".runs.dat"), runs);
+}
+
+
+void variantDirectory::forget() const
+{
+    fs::remove(beside(".runs.dat"));
+    fs::remove(beside(".settings"));
+    fs::remove_all(path_);
 }
 
 

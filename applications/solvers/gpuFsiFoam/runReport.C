@@ -153,8 +153,9 @@ void runReport::printEnd()
             solver_.nFallbacks());
     }
     gpuFsi::info("Particle-steps = {:.6g}  loop = {:.4g} s  "
+        "total = {:.4g} s  ranks = {}  "
         "rate = {:.4g} MIPPS (million particle-steps/s)",
-        i.particleSteps, i.loopSeconds,
+        i.particleSteps, i.loopSeconds, i.totalSeconds, i.ranks,
         i.particleSteps/std::max(1e-9, i.loopSeconds)/1e6);
     gpuFsi::info("{}\n", time_.executionTime());
 }

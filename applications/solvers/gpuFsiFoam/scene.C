@@ -1,8 +1,10 @@
 #include "scene.H"
 
+#include "base/digest.H"
 #include "base/log.H"
 #include "decomposition/decomposeParDict.H"
 #include "decomposition/processorDirectories.H"
+#include "parallel/agreedError.H"
 #include "particles/stateIO.H"
 
 #include <limits>
@@ -70,6 +72,28 @@ scene::scene(const communicator& ranks, const fs::path& casePath)
     casePath_(casePath)
 {
     ranks.agree([&] { read(casePath); });
+    compareRanks();
+}
+
+
+//- Nodes may see different states of a shared file system
+void scene::compareRanks() const
+{
+    const std::string start = time->startPath().filename().string();
+    const bool same = ranks_.same
+    (
+        digestOf(start) ^ digestOfFile(casePath_/"system/controlDict")
+    );
+    if (!same)
+    {
+        throw agreedError
+        (
+            "The ranks do not read the same case: another start time than "
+          + start + ", or another system/controlDict\n    Wait until all nodes "
+            "see the same files, then run again.",
+            false
+        );
+    }
 }
 
 

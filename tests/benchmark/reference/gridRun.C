@@ -154,6 +154,20 @@ const runInfo& gridRun::info()
 }
 
 
+void gridRun::checkFinite() const
+{
+    if (!state_.finite())
+    {
+        throw userError
+        (
+            "The solution is not finite at Time = " + time_->timeName(),
+            {(casePath_/"system/controlDict").string()},
+            "Use a smaller deltaT."
+        );
+    }
+}
+
+
 void gridRun::run()
 {
     gpuFsi::info("Grid        : {0} x {0} x {0} points, {1}", settings_.n,
@@ -167,7 +181,12 @@ void gridRun::run()
         const double begin = clock.wallSeconds();
         scheme_->step(state_, time_->deltaT());
         loopSeconds_ += clock.wallSeconds() - begin;
-        if (functions.due(info()))
+        const bool due = functions.due(info());
+        if (due || time_->writeTime())
+        {
+            checkFinite();
+        }
+        if (due)
         {
             functions.execute(particles(), info());
         }
@@ -182,6 +201,7 @@ void gridRun::run()
             });
         }
     }
+    checkFinite();
     functions.end(info());
     gpuFsi::info("{}\n", time_->executionTime());
 }

@@ -1,6 +1,7 @@
 #include "gridState.H"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gpuFsi
 {
@@ -50,6 +51,18 @@ void gridState::wrap()
             }
         }
     }
+}
+
+
+bool gridState::finite() const
+{
+    return std::all_of(fields_.begin(), fields_.end(), [](const auto& f)
+    {
+        return std::all_of
+        (
+            f.begin(), f.end(), [](double x) { return std::isfinite(x); }
+        );
+    });
 }
 
 } // namespace gpuFsi

@@ -123,15 +123,17 @@ private:
             ahead[f] = ahead_.field(f);
             shift[f] = shift_.field(f);
         }
+        // A maximum passes over what is no number: bad does not
         double longest = 0;
+        int bad = 0;
         #pragma omp parallel for schedule(static) collapse(2) \
-            reduction(max : longest)
+            reduction(max : longest) reduction(| : bad)
         for (int k = 0; k < n; ++k)
         {
             for (int j = 0; j < n; ++j)
             {
                 const long row = q.index(0, j, k);
-                #pragma omp simd reduction(max : longest)
+                #pragma omp simd reduction(max : longest) reduction(| : bad)
                 for (int i = 0; i < n; ++i)
                 {
                     const long p = row + i;
@@ -152,11 +154,16 @@ private:
                         shift[a][p] = s;
                         longest = std::fmax(longest, std::fabs(d[a - 1]));
                         longest = std::fmax(longest, std::fabs(s));
+                        bad |= !(std::fabs(d[a - 1]) <= 0.5);
+                        bad |= !(std::fabs(s) <= 0.5);
                     }
                 }
             }
         }
-        checkShift(longest);
+        if (bad)
+        {
+            failShift(longest);
+        }
         ahead_.wrap();
     }
 
@@ -184,20 +191,19 @@ private:
         q.wrap();
     }
 
-    static void checkShift(double longest)
+    [[noreturn]] static void failShift(double longest)
     {
-        if (!(longest <= 0.5))
-        {
-            throw userError
-            (
-                fmt::format
+        throw userError
+        (
+            longest <= 0.5
+              ? "The velocity is no longer finite"
+              : fmt::format
                 (
                     "The flow moves {:.3g} spacings in a step, of which the "
                     "semi-Lagrangian scheme here takes half a one", longest
                 ),
-                {}, "Use a smaller deltaT."
-            );
-        }
+            {}, "Use a smaller deltaT."
+        );
     }
 
     gridFluid fluid_;

@@ -73,7 +73,7 @@ sameOn turning 4 simple
 copyCase springPiston piston
 shorten piston 100 50
 seedAndRun piston
-sameOn piston 2 simple
+sameOn piston 2 simple 'transport staged;'
 sameOn piston 7 hilbert "$every"
 
 copyCase elasticSquare square

@@ -67,12 +67,29 @@ then
 fi
 
 # Interrupted in the last round: only what is missing runs
-sed -i '$d' "$study/scheme=moment_h=1.25/runs.dat"
+sed -i '$d' "$study/scheme=moment_h=1.25.runs.dat"
 sed -i 's/ momentum)/)/' "$work/pulse/system/studyDict"
 "$program" -case "$work/pulse" > "$work/log.second" 2>&1
 expect "exit code" $? "==" 0
 expect "runs done after the interruption" \
     "$(grep -c 'to finish' "$work/log.second")" "==" 1
+
+# Runs of a variant that differ are warned of
+sed -i '/^#/! s/^[^\t]*/0.5/' "$study/scheme=moment_h=1.25.runs.dat"
+sed -i '$d' "$study/scheme=moment_h=1.25.runs.dat"
+"$program" -case "$work/pulse" > "$work/log.differ" 2>&1
+expect "exit code" $? "==" 0
+expect "warning" "$(grep -c 'its runs differ in error: 0.5 and' \
+    "$work/log.differ")" "==" 1
+
+# So are errors at different times
+awk -F '\t' -v OFS='\t' '!/^#/ { $8 = 0.5 } { print }' \
+    "$study/scheme=moment_h=1.25.runs.dat" > "$work/runs.dat"
+cp "$work/runs.dat" "$study/scheme=moment_h=1.25.runs.dat"
+"$program" -case "$work/pulse" -tableOnly > "$work/log.times" 2>&1
+expect "exit code" $? "==" 0
+expect "warning" "$(grep -c 'is that at Time = 0.5, but' "$work/log.times")" \
+    "==" 1
 
 # Whatever changes the result makes the record void
 setEntry pulse/constant/fluidProperties mu 0.5
@@ -92,4 +109,31 @@ expect "machine of the peer named" \
 expect "targets told" \
     "$(grep -c '| moment | .* | not reached |' "$study/errorVsRunTime.md")" \
     "==" 1
+
+# What a command prints, with the cost from the solver's log: the whole program
+# takes longer than its loop, by parts of a second
+rm -rf "$study"
+cat > "$work/pulse/system/studyDict" << 'EOF'
+title       printed;
+commands    ("seedParticles" "gpuFsiFoam");
+error       { command "echo 1.1"; exact 1; }
+cost        total;
+repeats     1;
+parameters
+{
+    h
+    {
+        entry       "system/seedParticlesDict:spacing";
+        values      (1.25);
+    }
+}
+EOF
+"$program" -case "$work/pulse" > "$work/log.printed" 2>&1
+expect "exit code" $? "==" 0
+total=$(column printed 1.25 totalSeconds)
+expect "cost less total seconds" "$(awk -v a="$total" \
+    -v b="$(column printed 1.25 seconds)" 'BEGIN { print b - a }')" "==" 0
+expect "total seconds less those of the loop" "$(awk -v a="$total" \
+    -v b="$(column printed 1.25 loopSeconds)" 'BEGIN { print a - b }')" ">=" 1e-3
+expect "ranks" "$(column printed 1.25 ranks)" "==" 1
 exit "$failures"

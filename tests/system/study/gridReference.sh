@@ -60,4 +60,10 @@ setEntry semiLagrangian16/system/gridDict scheme semiLagrangian
 fails "'n'" system/gridDict n 2
 setEntry semiLagrangian16/system/gridDict n 64
 fails "Use a smaller deltaT" system/controlDict deltaT 0.1
+
+# Without density all rates are 0/0: no number, which no maximum shows
+setEntry semiLagrangian16/system/gridDict n 16
+fails "velocity is no longer finite" system/gridDict rho '"0"'
+setEntry semiLagrangian16/system/gridDict scheme finiteDifferences
+fails "solution is not finite" system/gridDict rho '"0"'
 exit "$failures"

@@ -35,9 +35,20 @@ expect "finer ones left out" "$(grep -c 'left out, as h=1.25' "$work/log")" \
     ">=" 1
 fails "printed no number" \
     "$run error { command \"echo word\"; exact 1; } parameters { $h }"
+# The coarser run is not taken for the finest, which has failed
+fails "left out, as the run at 1, " "repeats 1;
+    commands (\"[ \$h = 1.25 ]\" \"seedParticles\" \"gpuFsiFoam\");
+    error { command \"echo 2\"; finest yes; } parameters { h {
+    entry \"system/seedParticlesDict:spacing\"; values (1.25 1); } }"
 fails "'abc'" "$run $error
     parameters { h { entry \"system/controlDict:deltaT\"; values (abc); } }"
 fails "to compare with" "$run $error parameters { $h }" -compare nowhere
+fails "Give one of them" "$run $error parameters { $h }" -force -tableOnly
+mkdir -p "$work/pulse/study"
+exec 9> "$work/pulse/study/.lock"
+flock 9
+fails "Another errorVsRunTime" "$run $error parameters { $h }"
+exec 9>&-
 fails "Invalid option" "$run $error parameters { $h }" -comparison x
 
 # Those of the tutorials are read to the last key

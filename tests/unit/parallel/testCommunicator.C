@@ -22,6 +22,8 @@ TEST(communicator, sumsAndMaxima)
     EXPECT_EQ(most[1], 0);
     EXPECT_TRUE(c.any(c.rank() == c.size() - 1));
     EXPECT_FALSE(c.any(false));
+    EXPECT_TRUE(c.same(77));
+    EXPECT_EQ(c.same(c.rank()), c.size() == 1);
 }
 
 

@@ -1,4 +1,4 @@
-#include "study/curve.H"
+#include "study/finestRun.H"
 
 #include <gtest/gtest.h>
 
@@ -158,4 +158,81 @@ TEST(curve, namesItsMachines)
     c.points = {point(1, 1, 1), point(1, 1, 1), point(1, 1, 1)};
     c.points[1].run.machine = "there";
     EXPECT_EQ(machinesOf(c), (std::vector<std::string>{"here", "there"}));
+}
+
+
+namespace
+{
+
+//- Values at the spacings 0.4, 0.2, 0.1, labelled by number
+curve threeValues()
+{
+    curve c;
+    c.points = {point(0.4, 3, 1), point(0.2, 2.5, 2), point(0.1, 2, 4)};
+    for (int i = 0; i < 3; ++i)
+    {
+        c.points[i].resolution = std::to_string(i);
+    }
+    return c;
+}
+
+} // namespace
+
+
+TEST(finestRun, isWhatTheOthersAreComparedWith)
+{
+    curve c = threeValues();
+    EXPECT_EQ(compareWithFinest(c, "2"), "");
+    ASSERT_EQ(c.points.size(), 2u);
+    EXPECT_EQ(c.points[0].error, 0.5);
+    EXPECT_EQ(c.points[1].error, 0.25);
+}
+
+
+TEST(finestRun, isNotReplacedByAnother)
+{
+    curve c = threeValues();
+    c.points.pop_back();
+    const std::string why = compareWithFinest(c, "2");
+    EXPECT_NE(why.find("run at 2"), why.npos) << why;
+    EXPECT_EQ(c.points.size(), 2u);
+    curve none;
+    EXPECT_NE(compareWithFinest(none, "2"), "");
+}
+
+
+TEST(finestRun, hasToBeTheFinest)
+{
+    curve c = threeValues();
+    std::swap(c.points[0].run.h, c.points[2].run.h);
+    EXPECT_NE(compareWithFinest(c, "2"), "");
+
+    // The same spacing: sizes, which may rise (numbers of cells) or fall
+    const auto ofSizes = [](double a, double b, double last)
+    {
+        curve sizes = threeValues();
+        const double values[] = {a, b, last};
+        for (int i = 0; i < 3; ++i)
+        {
+            sizes.points[i].run.h = 1;
+            sizes.points[i].size = values[i];
+        }
+        return compareWithFinest(sizes, "2");
+    };
+    EXPECT_EQ(ofSizes(8, 16, 32), "");
+    EXPECT_EQ(ofSizes(3, 2, 1), "");
+    EXPECT_NE(ofSizes(8, 32, 16), "");
+    EXPECT_NE(ofSizes(8, 8, 16), "");
+    EXPECT_EQ(ofSizes(curvePoint::none, 8, 16), "");
+}
+
+
+TEST(finestRun, hasToBeFiniteAndNotZero)
+{
+    for (const double value : {0.0, curvePoint::none, HUGE_VAL})
+    {
+        curve c = threeValues();
+        c.points[2].error = value;
+        EXPECT_NE(compareWithFinest(c, "2"), "") << value;
+    }
 }

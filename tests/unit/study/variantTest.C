@@ -1,4 +1,5 @@
 #include "scratch.H"
+#include "study/studyLock.H"
 #include "study/variant.H"
 #include "study/variantDirectory.H"
 
@@ -252,12 +253,89 @@ TEST(variantDirectory, keepsRecordsOfTheSameSettingsOnly)
     d.prepare();
     EXPECT_EQ(d.earlier().size(), 2u);
 
+    // Ended while it was made anew
+    std::filesystem::remove_all(d.path());
+    EXPECT_EQ(d.earlier().size(), 2u);
+
     // Another case
     c.place.write("constant/x", "c 4;\n");
     const auto others = fingerprint(s, c.place.path);
     EXPECT_NE(bytes, others);
     const variantDirectory e(s, c.place.path, others, all[0]);
     EXPECT_TRUE(e.earlier().empty());
+    e.prepare();
+    EXPECT_TRUE(d.earlier().empty());
+    e.keep({r});
+    EXPECT_EQ(e.earlier().size(), 1u);
+    e.forget();
+    EXPECT_TRUE(e.earlier().empty());
+    EXPECT_TRUE(std::filesystem::is_empty(c.place.path/"study"));
+}
+
+
+TEST(studyDict, hasADirectoryOfItsOwn)
+{
+    const smallStudy c;
+    const std::string text = std::string(rest) + parameters;
+    EXPECT_EQ(c.study(text).directory, "study");
+    for (const char* name : {"studyDict.gpu", "gpu"})
+    {
+        c.place.write(std::string("system/") + name, text);
+        const studyDict s =
+            studyDict::read(c.place.path, std::string("system/") + name);
+        EXPECT_EQ(s.directory, "study.gpu");
+    }
+}
+
+
+TEST(studyLock, isForOneAtATime)
+{
+    const scratch s;
+    {
+        const studyLock lock(s.path/"study");
+        expectIn("Another", messageOf([&] { studyLock(s.path/"study"); }));
+        const studyLock other(s.path/"study.gpu");
+    }
+    const studyLock again(s.path/"study");
+}
+
+
+TEST(variantDirectory, refusesACaseThatHasChanged)
+{
+    const smallStudy c;
+    const studyDict s = c.study(std::string(rest) + parameters);
+    const auto all = allVariants(s);
+    const variantDirectory d
+    (
+        s, c.place.path, fingerprint(s, c.place.path), all[0]
+    );
+    d.prepare();
+    c.place.write("log.x", "what runs writes this");
+    d.prepare();
+    c.place.write("constant/x", "c 4;\n");
+    expectIn("has changed", messageOf([&] { d.prepare(); }));
+}
+
+
+TEST(fingerprint, holdsWhatIsIncluded)
+{
+    const scratch outside;
+    outside.write("common", "#includeIfPresent \"more\"\n a 1;");
+    const smallStudy c;
+    c.place.write
+    (
+        "constant/x", "c 3; include no;\n#include \""
+      + (outside.path/"common").string() + "\"\n#sinclude none\n"
+    );
+    const studyDict s = c.study(std::string(rest) + parameters);
+    std::set<std::string> marks{fingerprint(s, c.place.path)};
+    outside.write("common", "#includeIfPresent \"more\"\n a 2;");
+    marks.insert(fingerprint(s, c.place.path));
+    outside.write("more", "b 1;");
+    marks.insert(fingerprint(s, c.place.path));
+    outside.write("more", "b 2; #include \"more\"");
+    marks.insert(fingerprint(s, c.place.path));
+    EXPECT_EQ(marks.size(), 4u);
 }
 
 
@@ -291,6 +369,21 @@ TEST(variantDirectory, namesWhatFailed)
     (
         "left no cost.dat",
         failure("error { functionObject e; } commands (\"true\");")
+    );
+    expectIn
+    (
+        "There are 2 tables cost*.dat",
+        failure("error { functionObject e; } commands (\"mkdir -p"
+            " postProcessing/e/1\" \"cd postProcessing/e\""
+            " \"touch cost.dat 1/cost.dat 1/cost_1.dat\");")
+    );
+    expectIn
+    (
+        "negative, -2",
+        failure("error { command \"echo -2\"; direct yes; } commands (\""
+            "printf 'Device      : d, double precision\\n, spacing 1,\\n"
+            "deltaT = 1\\nTime = 1\\nParticle-steps = 1 loop = 1 s total = 1 s"
+            " ranks = 1 rate\\n'\");")
     );
 }
 

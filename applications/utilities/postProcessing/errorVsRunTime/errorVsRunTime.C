@@ -4,8 +4,11 @@
 #include "case/argList.H"
 #include "study/comparison.H"
 #include "study/machine.H"
+#include "study/studyLock.H"
 #include "study/studyRun.H"
 #include "studyFiles.H"
+
+#include <optional>
 
 using namespace gpuFsi;
 namespace fs = std::filesystem;
@@ -43,6 +46,15 @@ static int errorVsRunTime(int argc, char** argv)
         }
     );
     printBanner(args.commandLine(), args.casePath().string());
+    const bool tableOnly = args.found("tableOnly");
+    if (tableOnly && args.found("force"))
+    {
+        throw userError
+        (
+            "-force throws away the results that -tableOnly takes", {},
+            "Give one of them."
+        );
+    }
     const studyDict study = studyDict::read
     (
         args.casePath(), args.getOrDefault("dict", "system/studyDict")
@@ -59,23 +71,26 @@ static int errorVsRunTime(int argc, char** argv)
         args.found("compare") ? readAll(args.get("compare"))
                               : std::vector<curve>();
     info("Machine     : {}", machineName());
+    const fs::path directory = args.casePath()/study.directory;
+    std::optional<studyLock> lock;
+    if (!tableOnly)
+    {
+        lock.emplace(directory);
+    }
     studyRun runs(study, args.casePath());
     if (args.found("force"))
     {
         runs.forget();
     }
-    if (!args.found("tableOnly"))
+    if (!tableOnly)
     {
         runs.run();
     }
-    const fs::path directory = args.casePath()/study.directory;
-    writeStudyFiles
-    (
-        study, directory, runs.curves(), compared, runs.failures()
-    );
+    const std::vector<curve> curves = runs.curves();
+    writeStudyFiles(study, directory, curves, compared, runs.failures());
     if (!runs.failures().empty())
     {
-        info("\n{} variants have failed, see above", runs.failures().size());
+        info("\n{} failures, see above", runs.failures().size());
         return 1;
     }
     info("\nEnd\n");
