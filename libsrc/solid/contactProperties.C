@@ -32,6 +32,7 @@ contactProperties contactProperties::read
     }
     const dictionary& d = dict.subDict("contact");
     const double unlimited = std::numeric_limits<double>::max();
+    p.where = d.where();
     p.active = d.getOrDefault("active", true);
     p.stiffness = d.getNumberOrDefault("stiffness", 1, 1e-3, 1e3);
     p.friction = d.getNumberOrDefault("friction", 0, 0, unlimited);

@@ -1,5 +1,10 @@
 #include "solid/contactSearch.H"
 
+#include "base/error.H"
+
+#include <fmt/format.h>
+#include <limits>
+
 namespace gpuFsi
 {
 
@@ -64,6 +69,26 @@ void invert(int nFaces, contactCandidates& c)
 } // namespace
 
 
+int contactRowEnd(std::size_t size)
+{
+    constexpr int most = std::numeric_limits<int>::max();
+    if (size > std::size_t(most))
+    {
+        throw userError
+        (
+            fmt::format
+            (
+                "Contact has more than {} candidates: pairs of surface "
+                "particles and faces or wall particles near them", most
+            ),
+            {},
+            "Lower gap and margin in contact, or deltaT."
+        );
+    }
+    return int(size);
+}
+
+
 void contactSearch::findFaces
 (
     const std::vector<vector>& x,
@@ -87,7 +112,7 @@ void contactSearch::findFaces
             }
         });
         std::sort(c.face.begin() + c.faceBegin.back(), c.face.end());
-        c.faceBegin.push_back(int(c.face.size()));
+        c.faceBegin.push_back(contactRowEnd(c.face.size()));
     }
 }
 
@@ -118,7 +143,7 @@ void contactSearch::findWalls
             }
         });
         std::sort(c.wall.begin() + c.wallBegin.back(), c.wall.end());
-        c.wallBegin.push_back(int(c.wall.size()));
+        c.wallBegin.push_back(contactRowEnd(c.wall.size()));
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include "solid/contactPasses.H"
 
+#include <fmt/format.h>
+
 namespace gpuFsi
 {
 
@@ -98,6 +100,31 @@ int fit
     return builtIn;
 }
 
+//- A length given in another unit makes all touch all
+void refuseFar
+(
+    const char* name,
+    double length,
+    double spacing,
+    const contactProperties& p
+)
+{
+    if (length > 10*spacing)
+    {
+        throw userError
+        (
+            fmt::format
+            (
+                "{} is {:g} m, more than 10 times the largest spacing, {:g} m",
+                name, length, spacing
+            ),
+            p.where,
+            "Lengths are in m: give a " + std::string(name)
+          + " of about a spacing, or none."
+        );
+    }
+}
+
 } // namespace
 
 
@@ -112,6 +139,8 @@ contactReach contactReach::of
     // Round the edge of a wall of coarser particles these must be seen, too
     const double h =
         std::max(s.largestSpacing(), walls.empty() ? 0 : walls.spacing);
+    refuseFar("gap", p.gap.value_or(0), std::max(h, walls.fluidSpacing), p);
+    refuseFar("margin", p.margin, h, p);
     return {2*h + gap, 1.5*walls.spacing, gap};
 }
 

@@ -158,7 +158,11 @@ double contactSurface::largestSpacing() const
 }
 
 
-double contactSurface::addedSquare(const springNetwork& net, bool walls) const
+double contactSurface::addedSquare
+(
+    const springNetwork& net,
+    double atOnce
+) const
 {
     std::vector<double> most(nSolids, 0);
     for (int n = 0; n < nNodes(); ++n)
@@ -168,7 +172,7 @@ double contactSurface::addedSquare(const springNetwork& net, bool walls) const
     double pairs = 0, wall = 0;
     for (int a = 0; a < nSolids; ++a)
     {
-        wall = std::max(wall, walls ? wallStiffness[a]*most[a] : 0);
+        wall = std::max(wall, atOnce*wallStiffness[a]*most[a]);
         for (int b = 0; b < nSolids; ++b)
         {
             const double row = std::max(most[a], most[b])

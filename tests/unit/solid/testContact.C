@@ -203,6 +203,82 @@ struct pressedCylinder
     }
 };
 
+//- Far apart at first: a plate at rest that falls to a wall on its way up, a
+//  block above it, and two that meet across a seam; 2 steps of many sub-steps
+struct meetingFromAfar
+{
+    static constexpr double h = 1e-3, rise = 0.2, dt = 0.05;
+    solidMesh mesh;
+    std::unique_ptr<wallMotion> motion = wallMotion::make
+    (
+        dictionary::fromString("type translation; velocity (0 0.2 0);")
+    );
+    contactWalls walls;
+    solidProperties properties;
+
+    explicit meetingFromAfar(const std::string& contact)
+    {
+        addBlock(mesh, block(2, 16, 4, 0, h), {}, "plate");
+        addBlock(mesh, block(2, 4, 4, 0, h), {8*h, 14*h, 0}, "block");
+        addBlock(mesh, block(2, 4, 4, 0, h), {30*h, 30*h, 0}, "thrown");
+        addBlock(mesh, block(2, 4, 4, 0, h), {4*h, 31*h, 0}, "target");
+        mesh.period = {40*h, 0, 0};
+        addWall(walls, 2, {20*h, -10*h, 0}, {0, 1, 0}, {-1, 0, 0}, h, 19);
+        walls.motions[0] = motion.get();
+        properties = propertiesOf
+        (
+            mesh, "plate { rho 1000; E 1e6; } block { $plate; }"
+            " thrown { $plate; } target { $plate; } contact { friction 0.2; "
+          + contact + "}", {0, -9.81, 0}
+        );
+    }
+
+    hostSolid after(bool restarts) const
+    {
+        auto solver = elasticSolver::make
+        (
+            "cpu", mesh, properties, moving(mesh, {{}, {}, {1, 0, 0}, {}}),
+            walls
+        );
+        solver->advance(0, dt);
+        if (restarts)
+        {
+            const hostSolid s = solver->download();
+            contactWalls then = walls;
+            then.time = dt;
+            solver = elasticSolver::make
+            (
+                "cpu", mesh, properties,
+                {s.positions, s.U, s.accelerations, s.load, s.broken}, then
+            );
+        }
+        solver->advance(dt, dt);
+        return solver->download();
+    }
+};
+
+
+bool sameBytes(const std::vector<vector>& a, const std::vector<vector>& b)
+{
+    return a.size() == b.size()
+     && std::memcmp(a.data(), b.data(), a.size()*sizeof(vector)) == 0;
+}
+
+
+//- y, m
+double lowest(const solidMesh& mesh, const elasticSolver& solver, int solid)
+{
+    double least = 1e300;
+    for (std::size_t i = 0; i < mesh.size(); ++i)
+    {
+        if (mesh.solid[i] == solid)
+        {
+            least = std::min(least, solver.positions()[i].y);
+        }
+    }
+    return least;
+}
+
 } // namespace
 
 
@@ -483,6 +559,132 @@ TEST(contact, sameBytesForAnyMargin)
             std::memcmp(x.data(), first.data(), x.size()*sizeof(vector)), 0
         );
     }
+}
+
+
+//- Bodies that start far apart: from rest in one step of many sub-steps; at a
+//  speed that crosses a hundred spacings a step; across a seam; hit by a wall
+//  that comes from afar. Candidates that are not sought anew are none.
+TEST(contact, nothingPassesThroughFromAfar)
+{
+    const double h = 1e-3;
+    for (const bool thrown : {false, true})
+    {
+        solidMesh mesh;
+        addBlock(mesh, block(2, 16, 4, 0, h), {}, "plate");
+        addBlock
+        (
+            mesh, block(2, 6, 6, 0, h), {5*h, (thrown ? 120 : 9)*h, 0}, "block"
+        );
+        const auto solver = elasticSolver::make
+        (
+            "cpu", mesh,
+            propertiesOf
+            (
+                mesh, "plate { rho 1000; E 1e6; parts { left { type fixed; }"
+                " right { type fixed; } } } block { rho 1000; E 1e6; }"
+                " contact {}", {0, thrown ? 0 : -9.81, 0}
+            ),
+            moving(mesh, {{}, {0, thrown ? -3.0 : 0, 0}})
+        );
+        march(*solver, 2, 0.05);
+        EXPECT_GT(lowest(mesh, *solver, 1), thrown ? 5*h : 3*h) << thrown;
+    }
+}
+
+
+TEST(contact, nothingPassesThroughAcrossASeam)
+{
+    const double h = 0.1;
+    solidMesh mesh;
+    addBlock(mesh, block(2, 4, 20, 0, h, 0, true), {}, "plate");
+    addBlock(mesh, block(2, 4, 4, 0, h), {10*h, 10*h, 0}, "block");
+    mesh.period = {30*h, 20*h, 0};
+    const auto solver = elasticSolver::make
+    (
+        "cpu", mesh,
+        propertiesOf
+        (
+            mesh, "plate { rho 1; E 1; } block { rho 1; E 1; } contact {}"
+        ),
+        moving(mesh, {{}, {0.1, 0, 0}})
+    );
+    const motionOf before(mesh, *solver);
+    solver->advance(0, 40);
+    const motionOf after(mesh, *solver);
+    EXPECT_NEAR(after.momentum.x/before.momentum.x, 1, 1e-12);
+    EXPECT_GT(motionOf(mesh, *solver, 0).velocity().x, 0.02);
+    EXPECT_LT(motionOf(mesh, *solver, 1).velocity().x, 0.02);
+}
+
+
+TEST(contact, nothingPassesThroughAWallFromAfar)
+{
+    const double h = 0.1;
+    solidMesh mesh;
+    addBlock(mesh, block(2, 8, 4, 0, h, 0, true), {}, "bar");
+    const auto motion = wallMotion::make
+    (
+        dictionary::fromString("type translation; velocity (0.05 0 0);")
+    );
+    contactWalls walls;
+    addWall(walls, 2, {-20*h, 0, 0}, {1, 0, 0}, {0, 1, 0}, h, 8);
+    walls.motions[0] = motion.get();
+    const auto solver = elasticSolver::make
+    (
+        "cpu", mesh, propertiesOf(mesh, "bar { rho 1; E 1; } contact {}"),
+        {}, walls
+    );
+    march(*solver, 2, 30);
+    EXPECT_NEAR(motionOf(mesh, *solver).velocity().x/0.05, 2, 0.05);
+}
+
+
+//- Sub-steps in which a body flies across many spacings
+TEST(contact, refusesStepsThatAreTooLong)
+{
+    solidMesh mesh;
+    addBlock(mesh, block(2, 4, 4, 0, 0.1), {}, "one");
+    addBlock(mesh, block(2, 4, 4, 0, 0.1), {-20, 0, 0}, "two");
+    const auto solver = elasticSolver::make
+    (
+        "cpu", mesh,
+        propertiesOf
+        (
+            mesh, "one { rho 1; E 1; } two { rho 1; E 1; } contact {}"
+        ),
+        moving(mesh, {{}, {50, 0, 0}})
+    );
+    EXPECT_THROW(solver->advance(0, 1), userError);
+}
+
+
+TEST(contact, sameBytesFromAfar)
+{
+    using scene = meetingFromAfar;
+    const int threads = omp_get_max_threads();
+    omp_set_num_threads(1);
+    const hostSolid first = scene("").after(false);
+    for (const char* margin : {"margin 1e-6;", "margin 1e-3;", "margin 0.01;"})
+    {
+        const hostSolid s = scene(margin).after(false);
+        EXPECT_TRUE(sameBytes(s.positions, first.positions)) << margin;
+        EXPECT_TRUE(sameBytes(s.U, first.U)) << margin;
+    }
+    EXPECT_TRUE(sameBytes(scene("").after(true).positions, first.positions));
+    omp_set_num_threads(3);
+    EXPECT_TRUE(sameBytes(scene("").after(false).positions, first.positions));
+    omp_set_num_threads(threads);
+
+    const scene s("");
+    const double floor = -10*s.h + s.rise*2*s.dt;
+    double target = 0;
+    for (std::size_t i = 0; i < s.mesh.size(); ++i)
+    {
+        EXPECT_GT(first.positions[i].y, floor - 0.5*s.h);
+        target += s.mesh.solid[i] == 3 ? first.U[i].x/25 : 0;
+    }
+    EXPECT_GT(target, 0.1);
 }
 
 

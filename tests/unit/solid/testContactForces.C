@@ -2,7 +2,9 @@
 // their energy.
 
 #include "contactScene.H"
+#include "solid/contactSearch.H"
 #include "solid/contactShape.H"
+#include "solid/wallsAtOnce.H"
 
 #include <gtest/gtest.h>
 
@@ -62,6 +64,61 @@ struct overlap
         solidState s;
         s.positions = at;
         return elasticSolver::make("cpu", mesh, properties, s);
+    }
+};
+
+//- Two walls that meet in the origin at this angle, rad
+contactWalls groove(double angle, double h)
+{
+    const double s = std::sin(angle/2), c = std::cos(angle/2);
+    contactWalls walls;
+    for (const double side : {-1, 1})
+    {
+        const vector along{side*s, c, 0}, normal{-side*c, s, 0};
+        addWall(walls, 2, (8.5*h)*along, normal, along, h, 8);
+    }
+    return walls;
+}
+
+//- A block on its corner, particle 0, which is this far below the ground of a
+//  groove of 20 degrees
+struct wedgedCorner
+{
+    static constexpr double h = 0.1, angle = M_PI/9;
+    solidMesh mesh;
+    solidState state;
+
+    wedgedCorner()
+    {
+        solidMesh square = block(2, 4, 4, 0, h);
+        for (vector& x : square.points)
+        {
+            x = vector{M_SQRT1_2*(x.x - x.y), M_SQRT1_2*(x.x + x.y), 0};
+        }
+        addBlock(mesh, square, {0, 40*h, 0}, "bar");
+        for (const vector& x : mesh.points)
+        {
+            state.positions.push_back(x - vector{0, 40.3*h, 0});
+        }
+    }
+
+    std::unique_ptr<elasticSolver> solver
+    (
+        const vector& moved,
+        const contactWalls& walls
+    ) const
+    {
+        solidState s = state;
+        s.positions[0] += moved;
+        return elasticSolver::make
+        (
+            "cpu", mesh,
+            propertiesOf
+            (
+                mesh, "bar { rho 1; E 1; } contact { stiffness 10; }"
+            ),
+            s, walls
+        );
     }
 };
 
@@ -140,8 +197,12 @@ TEST(contact, forceIsMinusTheGradientOfTheEnergy)
             {
                 continue;
             }
-            for (double vector::*axis : {&vector::x, &vector::y})
+            for (double vector::*axis : {&vector::x, &vector::y, &vector::z})
             {
+                if (D == 2 && axis == &vector::z)
+                {
+                    continue;
+                }
                 std::vector<vector> to = scene.x, fro = scene.x;
                 to[i].*axis += step;
                 fro[i].*axis -= step;
@@ -167,4 +228,79 @@ TEST(contact, gapIsNoWiderThanAsSeeded)
         wide.solver(wide.x)->energies().contact,
         narrow.solver(narrow.x)->energies().contact
     );
+}
+
+
+//- As for mm: more than ten spacings of 0.2
+TEST(contact, lengthsInAnotherUnit)
+{
+    for (const char* length : {"gap 2.1;", "margin 2.1;"})
+    {
+        const overlap scene(2, length);
+        try
+        {
+            scene.solver(scene.mesh.points);
+            ADD_FAILURE() << length;
+        }
+        catch (const userError& e)
+        {
+            const std::string text = e.what();
+            EXPECT_NE(text.find("is 2.1 m"), std::string::npos) << text;
+            EXPECT_NE(text.find("spacing, 0."), std::string::npos) << text;
+        }
+    }
+}
+
+
+TEST(contact, candidatesPastAnInt)
+{
+    EXPECT_EQ(contactRowEnd(2147483647u), 2147483647);
+    EXPECT_THROW(contactRowEnd(2147483648u), userError);
+}
+
+
+TEST(contact, wallsTouchedAtOnce)
+{
+    const double h = 0.1;
+    const auto atOnce = [&](const contactWalls& walls)
+    {
+        return wallsAtOnce(walls, 5*h, {});
+    };
+    EXPECT_EQ(atOnce({}), 0);
+    EXPECT_NEAR(atOnce(groove(M_PI, h)), 1, 1e-12);
+    EXPECT_NEAR(atOnce(groove(M_PI/2, h)), 1, 1e-12);
+    EXPECT_NEAR(atOnce(groove(M_PI/9, h)), 1 + std::cos(M_PI/9), 1e-12);
+    EXPECT_NEAR(atOnce(groove(1.9*M_PI, h)), 1, 1e-12);
+    for (const double side : {-1, 1})
+    {
+        contactWalls pair;      // a plate, or a slot
+        addWall(pair, 3, {0, 0, -side*h}, {0, 0, side}, {1, 0, 0}, h, 4);
+        addWall(pair, 3, {0, 0, side*h}, {0, 0, -side}, {1, 0, 0}, h, 4);
+        EXPECT_NEAR(atOnce(pair), 2, 1e-12);
+        for (vector& normal : pair.normals)
+        {
+            normal = -1.0*normal;
+        }
+        EXPECT_NEAR(atOnce(pair), 1, 1e-12);
+    }
+}
+
+
+//- The stiffness that a corner feels between two walls is what sub-steps are
+//  chosen by: exact, as the corner has the largest share of area over mass
+TEST(contact, subStepsInAGroove)
+{
+    const wedgedCorner scene;
+    const contactWalls walls = groove(scene.angle, scene.h);
+    const double step = 1e-6;
+    const auto push = [&](double x)
+    {
+        return scene.solver({x, 0, 0}, walls)->contactForces()[0].x;
+    };
+    const auto square = [](double x) { return x*x; };
+    const auto solver = scene.solver({}, walls);
+    const double stiffness = (push(-step) - push(step))/(2*step);
+    const double added = square(solver->omegaMax())
+      - square(scene.solver({}, {})->omegaMax());
+    EXPECT_NEAR(stiffness/solver->masses()[0]/added, 1, 1e-6);
 }
