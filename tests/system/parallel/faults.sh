@@ -25,8 +25,8 @@ runAndKill()
     local run=$! victim
     sleep "$1"
     # A rank, not what started it
-    victim=$(pgrep -f "^$FSI_BUILD/bin/gpuFsiFoam -parallel -case $work/vortex\$" \
-        | sed -n "$(($2 + 1))p")
+    local command="$FSI_BUILD/bin/gpuFsiFoam -parallel -case $work/vortex"
+    victim=$(pgrep -f "^$command\$" | sed -n "$(($2 + 1))p")
     [ -z "$victim" ] || kill -9 "$victim" 2> /dev/null
     wait $run
     code=$?
