@@ -1,5 +1,5 @@
 #include "stepping/backendSolvers.H"
-#include "stepping/particleSolver.H"
+#include "stepping/makeSolver.H"
 
 namespace gpuFsi
 {

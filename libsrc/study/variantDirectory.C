@@ -1,5 +1,6 @@
 #include "study/variantDirectory.H"
 
+#include "base/digest.H"
 #include "case/caseFileIO.H"
 #include "study/caseCopy.H"
 #include "study/commandRun.H"
@@ -116,14 +117,11 @@ double startTime(const fs::path& directory)
 
 std::string fingerprint(const studyDict& s, const fs::path& casePath)
 {
-    // FNV-1a; the dictionaries of studies tell what to run, not what runs
-    std::uint64_t hash = 14695981039346656037u;
+    // The dictionaries of studies tell what to run, not what runs
+    std::uint64_t hash = digestOf({});
     const auto add = [&](const std::string& bytes)
     {
-        for (const char c : bytes)
-        {
-            hash = (hash ^ static_cast<unsigned char>(c))*1099511628211u;
-        }
+        hash = digestOf(bytes, hash);
     };
     for (const fs::path& file : ownFiles(casePath, s.noCopy))
     {
