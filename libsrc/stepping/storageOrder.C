@@ -1,4 +1,5 @@
 #include "stepping/storageOrder.H"
+#include "particles/storageKey.H"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,7 @@
 namespace gpuFsi
 {
 
-//- Bricks are long in x, as reads are contiguous there
-static std::uint64_t brickKey(const vector& p, const domain& d)
+static std::uint64_t keyOf(const vector& p, const domain& d)
 {
     const auto cell = [&](double x, double lo)
     {
@@ -19,10 +19,14 @@ static std::uint64_t brickKey(const vector& p, const domain& d)
     };
     const std::uint64_t x = cell(p.x, d.lo.x);
     const std::uint64_t y = cell(p.y, d.lo.y);
-    const std::uint64_t z = d.dimensions == 3 ? cell(p.z, d.lo.z) : 0;
-
-    // Bits from the top: z brick, y brick, z in brick, y in brick, x
-    return (z >> 3) << 43 | (y >> 3) << 26 | (z & 7) << 23 | (y & 7) << 20 | x;
+    const char* e = getenv("ORDER");
+    if (e && *e == 'b')
+    {
+        const std::uint64_t z = cell(p.z, d.lo.z);
+        return (z >> 3) << 43 | (y >> 3) << 26 | (z & 7) << 23 | (y & 7) << 20 | x;
+    }
+    return d.dimensions == 3
+      ? storageKey<3>(x, y, cell(p.z, d.lo.z)) : storageKey<2>(x, y, 0);
 }
 
 
@@ -33,11 +37,11 @@ std::vector<int> storageOrder(const hostState& s, const domain& d)
     keys.reserve(nWalls + s.fluid.size());
     for (std::size_t i = 0; i < nWalls; ++i)
     {
-        keys.emplace_back(brickKey(s.walls.positions[i], d), int(i));
+        keys.emplace_back(keyOf(s.walls.positions[i], d), int(i));
     }
     for (std::size_t i = 0; i < s.fluid.size(); ++i)
     {
-        keys.emplace_back(brickKey(s.fluid.positions[i], d), int(nWalls + i));
+        keys.emplace_back(keyOf(s.fluid.positions[i], d), int(nWalls + i));
     }
     std::sort(keys.begin(), keys.begin() + nWalls);
     std::sort(keys.begin() + nWalls, keys.end());

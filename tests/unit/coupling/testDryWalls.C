@@ -49,7 +49,7 @@ struct row
 
     void pass()
     {
-        const wetWalls look{list, n, nWalls, 8, wet, &someDry};
+        const wetWalls look{{list, n}, nWalls, 8, wet, &someDry};
         for (int i = 0; i < nWalls; ++i)
         {
             look(i);
@@ -58,8 +58,7 @@ struct row
         step.place = place;
         step.newPlace = place;
         step.newVelocity = velocity;
-        step.list = list;
-        step.stride = n;
+        step.neighbours = {list, n};
         step.nWalls = nWalls;
         step.quantum[0] = step.quantum[1] = step.quantum[2] = 1;
         step.rho0 = 1;

@@ -50,7 +50,7 @@ std::vector<int> bruteForce
     {
         p.place[0].data(), p.id.data(), p.nWalls,
         {q.x*unit, q.y*unit, q.z*unit}, {far(q.x), far(q.y), far(q.z)},
-        list.data(), std::size_t(p.size)
+        list.data(), std::size_t(p.size), 0
     };
     for (int i = 0; i < p.size; ++i)
     {
@@ -69,7 +69,7 @@ std::vector<int> bruteForce
 template<class List>
 int entry(const List& list, int n, int m)
 {
-    return list.data()[m/n*list.stride() + m % n];
+    return list.view().at(m/n, m % n);
 }
 
 template<class Real, int D>
