@@ -27,7 +27,9 @@ public:
     explicit openFile(const std::filesystem::path& file)
     :
         descriptor_(open(file.c_str(), O_RDONLY))
-    {}
+    {
+        posix_fadvise(descriptor_, 0, 0, POSIX_FADV_SEQUENTIAL);
+    }
 
     ~openFile()
     {

@@ -57,9 +57,10 @@ std::vector<double> takeValues
 
 std::vector<vector> vectorsOf(const cloudField& f)
 {
+    const std::size_t n = f.size();
     std::vector<vector> v;
-    v.reserve(f.size());
-    for (std::size_t i = 0; i < f.size(); ++i)
+    v.reserve(n);
+    for (std::size_t i = 0; i < n; ++i)
     {
         v.push_back
         ({
