@@ -52,8 +52,8 @@ void printHead(const request& r)
     (
         "A plain copy moves {:.4g} GB/s, read and written{}\n",
         1e-9*r.copyRate,
-        r.ratio ? "; 'plain' is the time of a particle's step over that of a "
-                  "plain loop in the same run" : ""
+        r.ratio ? "; 'plain' is the processor time of a particle's step over "
+                  "that of a plain loop in the same run" : ""
     );
     info
     (
@@ -167,7 +167,7 @@ int stepRate(int argc, char** argv)
             {"scheme", "WORD", "radial (default), moment, hermite, full, fullSymplectic"},
             {"solid", "", "an elastic block in the fluid"},
             {"table", "", "2-D, 3-D; radial, moment, full; without and with solid"},
-            {"ratio", "", "beside a plain loop in the same run"}
+            {"ratio", "", "beside a plain loop in the same run (backend cpu)"}
         },
         false
     );
@@ -183,6 +183,14 @@ int stepRate(int argc, char** argv)
     r.rounds = number("rounds", "3");
     r.steps = number("steps", "100");
     r.ratio = args.found("ratio");
+    if (r.ratio && useCuda(r.backend))
+    {
+        throw userError
+        (
+            "-ratio compares processor times, but the backend is cuda", {},
+            "Add -backend cpu."
+        );
+    }
     r.copyRate = copyRateOf(r.backend);
     const int n = number("n", "64");
     if (args.found("table"))
