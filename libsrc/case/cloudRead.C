@@ -4,6 +4,8 @@
 #include "case/fieldIO.H"
 #include "case/foamFile.H"
 #include "case/foamScanner.H"
+#include "case/largeFields.H"
+#include "case/parallelFiles.H"
 
 #include <algorithm>
 #include <cmath>
@@ -427,7 +429,6 @@ cloud readCloud
     }
     cloud particles;
     particles.name = cloudName;
-    particles.positions = readPositions(directory/"positions");
 
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(directory))
@@ -449,9 +450,30 @@ cloud readCloud
     }
     std::sort(files.begin(), files.end());
     files.erase(std::unique(files.begin(), files.end()), files.end());
-    for (const std::filesystem::path& file : files)
+    // Large files at the same time; the general reader takes what is left, in
+    // order, and complains
+    std::optional<std::vector<vector>> positions;
+    std::vector<std::optional<cloudField>> fields(files.size());
+    forEachFile(int(files.size()) + 1, [&](int k)
     {
-        particles.fields.push_back(readField(file, particles.size()));
+        if (k == 0)
+        {
+            positions = largePositions(directory/"positions");
+        }
+        else
+        {
+            fields[k - 1] = largeField(files[k - 1]);
+        }
+    });
+    particles.positions = positions
+      ? std::move(*positions) : readPositions(directory/"positions");
+    for (std::size_t k = 0; k < files.size(); ++k)
+    {
+        const bool whole = fields[k] && fields[k]->size() == particles.size();
+        particles.fields.push_back
+        (
+            whole ? std::move(*fields[k]) : readField(files[k], particles.size())
+        );
     }
     return particles;
 }
