@@ -19,12 +19,6 @@ static std::uint64_t keyOf(const vector& p, const domain& d)
     };
     const std::uint64_t x = cell(p.x, d.lo.x);
     const std::uint64_t y = cell(p.y, d.lo.y);
-    const char* e = getenv("ORDER");
-    if (e && *e == 'b')
-    {
-        const std::uint64_t z = cell(p.z, d.lo.z);
-        return (z >> 3) << 43 | (y >> 3) << 26 | (z & 7) << 23 | (y & 7) << 20 | x;
-    }
     return d.dimensions == 3
       ? storageKey<3>(x, y, cell(p.z, d.lo.z)) : storageKey<2>(x, y, 0);
 }

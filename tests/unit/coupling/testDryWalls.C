@@ -49,7 +49,7 @@ struct row
 
     void pass()
     {
-        const wetWalls look{{list, n}, nWalls, 8, wet, &someDry};
+        const wetWalls look{{n, list}, nWalls, 8, wet, &someDry};
         for (int i = 0; i < nWalls; ++i)
         {
             look(i);
@@ -58,7 +58,7 @@ struct row
         step.place = place;
         step.newPlace = place;
         step.newVelocity = velocity;
-        step.neighbours = {list, n};
+        step.neighbours = {n, list};
         step.nWalls = nWalls;
         step.quantum[0] = step.quantum[1] = step.quantum[2] = 1;
         step.rho0 = 1;
