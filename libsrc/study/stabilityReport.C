@@ -105,7 +105,7 @@ std::string wordsOf
         {
             text += fmt::format
             (
-                "- {}: {}:{}\n", r.what.name, nameOf(r.record->kind),
+                "- {}: {}: {}\n", r.what.name, nameOf(r.record->kind),
                 shortened(r.record->word)
             );
         }

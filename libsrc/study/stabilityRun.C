@@ -85,7 +85,7 @@ void stabilityRun::runOnce(std::size_t i)
         done_, results_.size() - kept_, results_[i].what.name,
         nameOf(r.kind),
         std::isfinite(r.error) ? fmt::format(", error {:.4e}", r.error) : "",
-        r.seconds, secondsToFinish(), r.word.empty() ? "" : "\n   " + r.word
+        r.seconds, secondsToFinish(), r.word.empty() ? "" : "\n    " + r.word
     );
     std::fflush(stdout);
 }

@@ -16,7 +16,7 @@ parameters
     dt
     {
         entries ("system/controlDict:deltaT" "system/controlDict:allowUnstable");
-        choices { 0.02 (0.02 no); 2 (2 no); 0.6 (0.6 yes); }
+        choices { "0.02" (0.02 no); "2" (2 no); "0.6" (0.6 yes); }
     }
     h
     {
@@ -79,12 +79,11 @@ fails "No variant has been run" "$run $error parameters { $h }
     directory study.none;" -tableOnly
 fails "Give one of them" "$run $error parameters { $h }" -tableOnly -force
 # As none may end: said, and run again
+nan='mkdir postProcessing; echo 1 -nan > postProcessing/x.dat'
 for how in 'crashed:kill -SEGV $$' 'hung:sleep 20' 'failed:exit 3' \
-    'failed:true' 'diverged:mkdir -p postProcessing; echo 1 -nan > \
-    postProcessing/x.dat'
+    'failed:true' "diverged:$nan"
 do
-    command=${how#*:}
-    fails "h=1.25: ${how%%:*}" "commands (\"${command//$'\n'/ }\");
+    fails "h=1.25: ${how%%:*}" "commands (\"${how#*:}\");
         timeLimit 0.5; $error parameters { $h }"
     "$program" -case "$work/pulse" > "$work/log" 2>&1
     expect "run again" "$(grep -c '1 to do' "$work/log")" "==" 1
