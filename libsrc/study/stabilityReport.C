@@ -2,6 +2,7 @@
 
 #include "study/textTable.H"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -91,6 +92,7 @@ std::string shortened(const std::string& word)
 }
 
 
+//- Of those that say the same, by how it begins, the first with their number
 std::string wordsOf
 (
     const std::vector<stabilityResult>& results,
@@ -98,17 +100,36 @@ std::string wordsOf
     bool wanted(outcome)
 )
 {
-    std::string text;
+    struct saying
+    {
+        const stabilityResult* first;
+        int n;
+    };
+    constexpr std::size_t alike = 30;
+    std::vector<saying> all;
     for (const stabilityResult& r : results)
     {
-        if (r.record && wanted(r.record->kind))
+        if (!r.record || !wanted(r.record->kind))
         {
-            text += fmt::format
-            (
-                "- {}: {}: {}\n", r.what.name, nameOf(r.record->kind),
-                shortened(r.record->word)
-            );
+            continue;
         }
+        const auto same = std::find_if(all.begin(), all.end(), [&](auto& s)
+        {
+            const stabilityRecord& other = *s.first->record;
+            return other.kind == r.record->kind
+             && other.word.compare(0, alike, r.record->word, 0, alike) == 0;
+        });
+        same == all.end() ? all.push_back({&r, 1}) : void(++same->n);
+    }
+    std::string text;
+    for (const saying& s : all)
+    {
+        text += fmt::format
+        (
+            "- {}{}: {}: {}\n", s.first->what.name,
+            s.n > 1 ? fmt::format(" and {} more", s.n - 1) : "",
+            nameOf(s.first->record->kind), shortened(s.first->record->word)
+        );
     }
     return text.empty() ? "" : "## " + heading + "\n\n" + text + "\n";
 }
