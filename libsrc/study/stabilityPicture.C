@@ -1,6 +1,7 @@
 #include "study/gnuplot.H"
 #include "study/stabilityReport.H"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -110,6 +111,17 @@ std::string keyOf(const std::vector<stabilityResult>& results)
     return text;
 }
 
+//- Of all columns, by the longest label
+std::size_t widthOf(const parameter& x)
+{
+    std::size_t longest = 7;
+    for (const parameter::choice& c : x.choices)
+    {
+        longest = std::max(longest, c.label.size());
+    }
+    return 9*longest*x.choices.size();
+}
+
 } // namespace
 
 
@@ -131,10 +143,9 @@ std::string gnuplotOf
         plots += plotOf
         (
             block, planes[i].name.empty() ? s.title : planes[i].name
-        ) + keyOf(results) + "\n";
+        ) + (i ? "" : keyOf(results)) + "\n";
     }
-    const std::size_t nColumns = s.parameters[s.resolution].choices.size();
-    const std::size_t width = 330 + 62*nColumns;
+    const std::size_t width = 330 + widthOf(s.parameters[s.resolution]);
     const std::size_t height = 130*planes.size() + 32*nRows;
     std::string text =
         data + axesOf(s) + "set key outside right top reverse Left\n";
