@@ -34,7 +34,7 @@ std::string blockOf(const std::string& name, const stabilityPlane& plane)
                 text += fmt::format
                 (
                     "{} {} {} {}\n", i, j, int(r->record->kind),
-                    std::isfinite(e) ? fmt::format("{:.1e}", e) : "\"\""
+                    std::isfinite(e) ? fmt::format("{:.2g}", e) : "\"\""
                 );
             }
         }
@@ -111,15 +111,23 @@ std::string keyOf(const std::vector<stabilityResult>& results)
     return text;
 }
 
-//- Of all columns, by the longest label
-std::size_t widthOf(const parameter& x)
+std::size_t longestLabel(const parameter& p)
 {
-    std::size_t longest = 7;
-    for (const parameter::choice& c : x.choices)
+    std::size_t longest = 0;
+    for (const parameter::choice& c : p.choices)
     {
         longest = std::max(longest, c.label.size());
     }
-    return 9*longest*x.choices.size();
+    return longest;
+}
+
+
+//- Columns, and labels of the rows
+std::size_t widthOf(const stabilityDict& s)
+{
+    const parameter& x = s.parameters[s.resolution];
+    return 270 + 9*std::max<std::size_t>(7, longestLabel(x))*x.choices.size()
+      + 7*longestLabel(s.parameters[s.y]);
 }
 
 } // namespace
@@ -145,7 +153,7 @@ std::string gnuplotOf
             block, planes[i].name.empty() ? s.title : planes[i].name
         ) + (i ? "" : keyOf(results)) + "\n";
     }
-    const std::size_t width = 330 + widthOf(s.parameters[s.resolution]);
+    const std::size_t width = widthOf(s);
     const std::size_t height = 130*planes.size() + 32*nRows;
     std::string text =
         data + axesOf(s) + "set key outside right top reverse Left\n";

@@ -15,7 +15,11 @@ parameters
 {
     dt
     {
-        entries ("system/controlDict:deltaT" "system/controlDict:allowUnstable");
+        entries
+        (
+            "system/controlDict:deltaT"
+            "system/controlDict:allowUnstable"
+        );
         choices { "0.02" (0.02 no); "2" (2 no); "0.6" (0.6 yes); }
     }
     h

@@ -211,7 +211,7 @@ TEST(stabilityGrid, tellsBoundaries)
     expectIn("| b | refused |  | refused | refused |", table);
     expectIn("## Never allowed\n\n- x=3_y=a: hung", table);
     expectIn("2,a,inaccurate,2,2,\"said, so\"\n", csvOf(m, results));
-    expectIn("0 0 0 5.0e-01\n", gnuplotOf(m, results, "s"));
+    expectIn("0 0 0 0.5\n", gnuplotOf(m, results, "s"));
 }
 
 
