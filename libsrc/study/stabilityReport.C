@@ -92,20 +92,27 @@ std::string shortened(const std::string& word)
 }
 
 
-//- Of those that say the same, by how it begins, the first with their number
-std::string wordsOf
+//- Runs that ended alike and say the same, by how it begins
+struct saying
+{
+    const stabilityResult* first;
+    int n;
+
+    bool fits(const stabilityRecord& r) const
+    {
+        constexpr std::size_t alike = 30;
+        return first->record->kind == r.kind
+         && first->record->word.compare(0, alike, r.word, 0, alike) == 0;
+    }
+};
+
+
+std::vector<saying> sayingsOf
 (
     const std::vector<stabilityResult>& results,
-    const std::string& heading,
     bool wanted(outcome)
 )
 {
-    struct saying
-    {
-        const stabilityResult* first;
-        int n;
-    };
-    constexpr std::size_t alike = 30;
     std::vector<saying> all;
     for (const stabilityResult& r : results)
     {
@@ -115,14 +122,30 @@ std::string wordsOf
         }
         const auto same = std::find_if(all.begin(), all.end(), [&](auto& s)
         {
-            const stabilityRecord& other = *s.first->record;
-            return other.kind == r.record->kind
-             && other.word.compare(0, alike, r.record->word, 0, alike) == 0;
+            return s.fits(*r.record);
         });
-        same == all.end() ? all.push_back({&r, 1}) : void(++same->n);
+        if (same == all.end())
+        {
+            all.push_back({&r, 1});
+        }
+        else
+        {
+            ++same->n;
+        }
     }
+    return all;
+}
+
+
+std::string wordsOf
+(
+    const std::vector<stabilityResult>& results,
+    const std::string& heading,
+    bool wanted(outcome)
+)
+{
     std::string text;
-    for (const saying& s : all)
+    for (const saying& s : sayingsOf(results, wanted))
     {
         text += fmt::format
         (

@@ -32,7 +32,7 @@ expect "symplectic Euler" \
     "$(row '^| symplectic |.*accurate to 2; stopped from 2.1 |')" "==" 1
 expect "RK2" "$(row '^| RK2 |.*accurate to 0.5; stopped from 0.8 |')" "==" 1
 map vortex arrangement
-expect "pairs" "$(row '^| \(shifting\|hermite\) |.*accurate to pair')" "==" 2
+expect "pairs" "$(row '^| \(shifting\|hermite\).*accurate to pair')" "==" 4
 map bar spacing
 expect "coarse and fine cells, damped" "$(row '| accurate |$')" ">=" 4
 map box
