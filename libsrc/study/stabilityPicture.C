@@ -156,7 +156,8 @@ std::string gnuplotOf
     const std::size_t width = widthOf(s);
     const std::size_t height = 130*planes.size() + 32*nRows;
     std::string text =
-        data + axesOf(s) + "set key outside right top reverse Left\n";
+        data + axesOf(s)
+      + "set key outside right top reverse Left\nset rmargin 16\n";
     const char* terminals[][2] =
     {
         {"svg", "svg size {},{} font 'sans,13' background '#ffffff'"},
