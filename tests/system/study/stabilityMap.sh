@@ -47,7 +47,7 @@ expect "small steps are accurate" \
 expect "too long a step is refused" \
     "$(classOf 1.25 2 | grep -c refused)" "==" 1
 expect "it says which limit" \
-    "$(grep -c 'refused: .*limit' "$map/stabilityMap.md")" ">=" 2
+    "$(grep -c 'and 1 more: refused: .*limit' "$map/stabilityMap.md")" "==" 1
 expect "allowed all the same, it ends as it may" \
     "$(classOf 1.25 0.6 | grep -c 'accurate\|stopped')" "==" 1
 expect "boundary" "$(grep -c 'accurate to 0.02; refused from 2' \
