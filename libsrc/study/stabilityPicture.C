@@ -126,7 +126,7 @@ std::size_t longestLabel(const parameter& p)
 std::size_t widthOf(const stabilityDict& s)
 {
     const parameter& x = s.parameters[s.resolution];
-    return 270 + 9*std::max<std::size_t>(7, longestLabel(x))*x.choices.size()
+    return 310 + 9*std::max<std::size_t>(7, longestLabel(x))*x.choices.size()
       + 7*longestLabel(s.parameters[s.y]);
 }
 
@@ -157,7 +157,7 @@ std::string gnuplotOf
     const std::size_t height = 130*planes.size() + 32*nRows;
     std::string text =
         data + axesOf(s)
-      + "set key outside right top reverse Left\nset rmargin 16\n";
+      + "set key outside right top reverse Left\nset rmargin 22\n";
     const char* terminals[][2] =
     {
         {"svg", "svg size {},{} font 'sans,13' background '#ffffff'"},
