@@ -52,7 +52,7 @@ then
     map bar ratio
     map vortex displaced
     expect "displaced by up to half a spacing" \
-        "$(row '^| hermite |.*| accurate |$')" "==" 1
+        "$(row '^| hermite, 0.1 |.*| accurate |$')" "==" 1
     map vortex mach
     map box million
     map vortex million
