@@ -83,6 +83,33 @@ std::optional<std::vector<vector>> largePositions
 }
 
 
+std::optional<std::vector<vector>> largeVectors
+(
+    const std::filesystem::path& file
+)
+{
+    std::vector<vector> values;
+    const bool read = readLargeList
+    (
+        file,
+        [&](const foamFile& header, std::size_t size)
+        {
+            const bool fits = header.cls == "vectorField";
+            values.reserve(fits ? size : 0);
+            return fits ? sizeof(vector) : 0;
+        },
+        [&](const char* from, std::size_t n)
+        {
+            const std::size_t first = values.size();
+            values.resize(first + n);
+            std::memcpy(&values[first], from, n*sizeof(vector));
+            return allFinite(&values[first].x, 3*n);
+        }
+    );
+    return read ? std::make_optional(std::move(values)) : std::nullopt;
+}
+
+
 std::optional<cloudField> largeField(const std::filesystem::path& file)
 {
     cloudField field{"", file.filename().string(), {}};

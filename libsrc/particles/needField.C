@@ -55,6 +55,20 @@ std::vector<double> takeValues
 }
 
 
+std::vector<vector> takeVectors
+(
+    cloud& c,
+    const std::string& field,
+    const fs::path& time
+)
+{
+    const auto found = c.vectors.find(field);
+    return found != c.vectors.end()
+      ? std::move(found->second)
+      : vectorsOf(needField(c, field, "vectorField", time));
+}
+
+
 std::vector<vector> vectorsOf(const cloudField& f)
 {
     const std::size_t n = f.size();

@@ -12,6 +12,9 @@ namespace gpuFsi
 
 namespace fs = std::filesystem;
 
+//- Pressure follows from density
+static const cloudRequest fluidRequest{{"p"}, {"U"}};
+
 static void checkPositive
 (
     const std::vector<double>& values,
@@ -88,7 +91,7 @@ static std::vector<double> takeDeltaRho
 static particleSet takeSet(cloud& c, double rho0, const fs::path& time)
 {
     particleSet s;
-    s.U = vectorsOf(needField(c, "U", "vectorField", time));
+    s.U = takeVectors(c, "U", time);
     s.deltaRho = takeDeltaRho(c, rho0, time);
     s.positions = std::move(c.positions);
     return s;
@@ -254,7 +257,7 @@ hostState readState
     {
         return s;
     }
-    readFluid(s, readCloud(time, "fluid"), time);
+    readFluid(s, readCloud(time, "fluid", fluidRequest), time);
     if (!anywhere)
     {
         checkInside(s.fluid, d, time/"lagrangian/fluid/positions");
@@ -291,7 +294,7 @@ hostState readPart
     {
         return s;
     }
-    cloud fluid = readCloud(time, "fluid");
+    cloud fluid = readCloud(time, "fluid", fluidRequest);
     s.fluidId = idsOf(fluid, time);
     readFluid(s, std::move(fluid), time);
     checkInside(s.fluid, d, time/"lagrangian/fluid/positions");

@@ -194,3 +194,22 @@ TEST(largeBlocks, beginAtLines)
     const std::vector<double> large(2000000, 1.5);
     EXPECT_EQ(large.back(), 1.5);
 }
+
+
+TEST_F(largeFiles, vectorsAndNothingElseWhereAsked)
+{
+    const cloud c = readCloud(path/"0", "fluid", {{"rho"}, {"U", "label"}});
+    EXPECT_EQ(c.find("rho"), nullptr);
+    EXPECT_EQ(c.find("U"), nullptr);
+    ASSERT_EQ(c.vectors.at("U").size(), n);
+    EXPECT_EQ
+    (
+        std::memcmp
+        (
+            c.vectors.at("U").data(), written.find("U")->values.data(),
+            n*sizeof(vector)
+        ),
+        0
+    );
+    EXPECT_EQ(c.find("label")->values, written.find("label")->values);
+}
