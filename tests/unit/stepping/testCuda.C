@@ -120,7 +120,7 @@ scene vortices(int dimensions)
 {
     scene s{};
     s.space = periodicBox(dimensions == 3 ? 24 : 60, dimensions, 1);
-    s.fluid = publishedFluid(1e-3);
+    s.fluid = publishedFluid(0.05);
     s.fluid.c = 5;
     s.schemes = defaultSchemes(s.space);
     s.state = vortexState(s.space, 1, 0.2);
