@@ -232,6 +232,7 @@ TEST(cuda, storedAnewAgreesWithCpuAndWithItself)
             }
             const hostState kept = run(s, "cuda", "double");
             s.schemes.sortDistance = 0.4;
+            s.schemes.sortWear = 0;
             long sorts = 0, sortsCpu = 0;
             const hostState a = run(s, "cuda", "double", &sorts);
             const hostState b = run(s, "cpu", "double", &sortsCpu);
@@ -249,6 +250,7 @@ TEST(cuda, storedAnewBesideMovingWallsKeepsTheBytes)
     NEEDS_GPU;
     scene s = piston(particleSchemes::search::cellSearch);
     s.schemes.sortDistance = 0.01;
+    s.schemes.sortWear = 0;
     long sorts = 0;
     const hostState a = run(s, "cuda", "double", &sorts);
     EXPECT_GE(sorts, 1);

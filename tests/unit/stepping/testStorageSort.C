@@ -12,6 +12,7 @@
 
 #include <cstring>
 #include <limits>
+#include <set>
 
 using namespace gpuFsi;
 
@@ -96,6 +97,7 @@ outcome run
 {
     particleSchemes schemes = s.schemes;
     schemes.sortDistance = sortDistance;
+    schemes.sortWear = 0;
     const auto solver = fluidSolver::make
     (
         "cpu", precision, s.space, s.fluid, schemes, s.state
@@ -170,20 +172,30 @@ hostState carried(const domain& d, double spacings)
     return s;
 }
 
-//- Mean distance in storage between the bulk and its neighbours
 template<int D>
-double meanDistance
+using lists = neighbourList<cpuBackend, double, D>;
+
+template<int D>
+lists<D> listsOf
 (
     const domain& d,
     const frame& space,
     const particleStore<cpuBackend, double>& p
 )
 {
-    neighbourList<cpuBackend, double, D> list
-    (
-        d, space, defaultSchemes(d).searchRadius, false
-    );
+    lists<D> list(d, space, defaultSchemes(d).searchRadius, false);
     list.searchCells(p);
+    return list;
+}
+
+//- Mean distance in storage between the bulk and its neighbours
+template<int D>
+double meanDistance
+(
+    const particleStore<cpuBackend, double>& p,
+    const lists<D>& list
+)
+{
     double sum = 0;
     for (int i = p.nWalls; i < p.size; ++i)
     {
@@ -193,6 +205,32 @@ double meanDistance
         }
     }
     return sum/(p.size - p.nWalls)/nDirections<D>;
+}
+
+//- As storageSort has it, of the same sample
+template<int D>
+double linesBySets
+(
+    const particleStore<cpuBackend, double>& p,
+    const lists<D>& list
+)
+{
+    double sum = 0;
+    int groups = 0;
+    for (int i = p.nWalls; i + 32 <= p.size; i += 16*32)
+    {
+        ++groups;
+        for (int k = 0; k < nDirections<D>; ++k)
+        {
+            std::set<int> lines;
+            for (int lane = 0; lane < 32; ++lane)
+            {
+                lines.insert(list.view().at(k, i + lane)/8);
+            }
+            sum += lines.size();
+        }
+    }
+    return sum/groups/nDirections<D>;
 }
 
 void upload
@@ -234,14 +272,16 @@ void expectOrderOfTheCurve(int n)
     p.place[p.now.place].upload(place);
     upload(d, space, movedTo(start, later), fresh);
 
-    const double stale = meanDistance<D>(d, space, p);
-    particleSchemes schemes;
-    storageSort<cpuBackend, double, D> sort(d, space, schemes);
+    using sorter = storageSort<cpuBackend, double, D>;
+    sorter sort(d, space, particleSchemes());
     sort.moved(4.01*d.spacing);
-    sort.sortIfDue(p);
+    const lists<D> worn = listsOf<D>(d, space, p);
+    const double stale = meanDistance(p, worn);
+    EXPECT_DOUBLE_EQ(sorter::lines(p, worn.view()), linesBySets(p, worn));
+    sort.sortIfDue(p, worn.view());
     EXPECT_EQ(sort.count(), 1);
-    const double sorted = meanDistance<D>(d, space, p);
-    const double ideal = meanDistance<D>(d, space, fresh);
+    const double sorted = meanDistance(p, listsOf<D>(d, space, p));
+    const double ideal = meanDistance(fresh, listsOf<D>(d, space, fresh));
     const std::string name = std::to_string(D) + "D";
     testing::Test::RecordProperty("stale" + name, std::to_string(stale));
     testing::Test::RecordProperty("sorted" + name, std::to_string(sorted));
@@ -314,19 +354,25 @@ TEST(storageSort, doesNotSortWhatALedgerIsKeptOf)
 }
 
 
-//- Four spacings unless told otherwise, counted anew after each sort
+//- Four spacings, counted anew after each sort; not where the order is good
 TEST(storageSort, isDueByDistance)
 {
-    const domain d = periodicBox(8, 2, 1);
+    const domain d = periodicBox(32, 2, 1);
     const frame space = frame::of(d);
     particleStore<cpuBackend, double> p;
     upload(d, space, latticeState(d, 0, 1), p);
+    const lists<2> list = listsOf<2>(d, space, p);
     particleSchemes schemes;
+    storageSort<cpuBackend, double, 2> unworn(d, space, schemes);
+    unworn.moved(1000*d.spacing);
+    unworn.sortIfDue(p, list.view());
+    EXPECT_EQ(unworn.count(), 0);
+    schemes.sortWear = 0;
     storageSort<cpuBackend, double, 2> sort(d, space, schemes);
     for (const long sorts : {0, 1, 1, 2, 2, 3})
     {
         sort.moved(2.1*d.spacing);
-        sort.sortIfDue(p);
+        sort.sortIfDue(p, list.view());
         EXPECT_EQ(sort.count(), sorts);
     }
 }
@@ -349,9 +395,11 @@ TEST(storageSort, leavesWallsWhereTheyAre)
     const std::vector<placeRho<double>> place =
         p.place[p.now.place].download();
     particleSchemes schemes;
+    schemes.sortWear = 0;
     storageSort<cpuBackend, double, 2> sort(d, space, schemes);
     sort.moved(1);
-    sort.sortIfDue(p);
+    sort.sortIfDue(p, listsOf<2>(d, space, p).view());
+    EXPECT_EQ(sort.count(), 1);
     const std::vector<int> after = p.id.download();
     for (int i = 0; i < p.nWalls; ++i)
     {
