@@ -258,7 +258,7 @@ void expectOrderOfTheCurve(int n)
     const domain d = periodicBox(n, D, 1);
     const frame space = frame::of(d);
     const hostState start = carried(d, 0);
-    const hostState later = carried(d, 0.5*n);
+    const hostState later = carried(d, n);
 
     // Stored as at the start, at the places of later
     particleStore<cpuBackend, double> p, fresh;
