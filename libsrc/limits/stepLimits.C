@@ -66,7 +66,7 @@ double viscousLimit
 {
     flowScales still = s;
     still.c = 0;
-    return s.nu > 0
+    return s.nu > 0 && !schemes.superSteps
       ? bisect(schemes, still, beyond.diffusion*s.h*s.h/s.nu, growth)
       : infinite;
 }

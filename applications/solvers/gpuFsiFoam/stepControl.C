@@ -1,6 +1,7 @@
 #include "stepControl.H"
 
 #include "base/log.H"
+#include "limits/chooseSuperSteps.H"
 #include "limits/solidScalesOf.H"
 
 #include <cmath>
@@ -42,6 +43,8 @@ stepControl::stepControl
 )
 :
     time_(*s.time),
+    solver_(solver),
+    whySuperSteps_(s.whySuperSteps),
     controls_(*s.controls),
     fluid_(s.fluid),
     schemes_(s.schemes),
@@ -49,11 +52,8 @@ stepControl::stepControl
     viscous_{"viscous", infinite}
 {
     const bool fluid = s.space.hasFluid();
-    scales_.flow =
-    {
-        s.space.dimensions, s.space.spacing, fluid ? s.fluid.c : 0,
-        fluid ? s.fluid.mu/s.fluid.rho0 : 0
-    };
+    scales_.flow = fluid ? flowScalesOf(s.space, s.fluid)
+      : flowScales{s.space.dimensions, s.space.spacing, 0, 0};
     scales_.rho = s.fluid.rho0;
     scales_.solid = solidsOf(s, solver, ranks);
 }
@@ -96,10 +96,27 @@ std::string stepControl::describe
 }
 
 
+//- With adjustTimeStep their number follows deltaT
+void stepControl::tellOfSuperSteps() const
+{
+    if (const int n = solver_.viscousStages(time_.deltaT()); n > 0)
+    {
+        info
+        (
+            "Viscosity: {}: RKL2, {}\n", whySuperSteps_,
+            time_.adjustTimeStep()
+          ? "as many stages as deltaT needs"
+          : fmt::format("{} stages in each half of a step", n)
+        );
+    }
+}
+
+
 void stepControl::start(const flowMonitor& m)
 {
     if (time_.adjustTimeStep())
     {
+        tellOfSuperSteps();
         if (wanted(m).deltaT == infinite)
         {
             throw userError
@@ -113,6 +130,7 @@ void stepControl::start(const flowMonitor& m)
         }
         return;
     }
+    tellOfSuperSteps();
     checked_ = time_.deltaT();
     const caseScales scales = scalesOf(m);
     const auto beyond = exceeded(schemes_, scales, checked_, fastGrowth);
@@ -158,7 +176,7 @@ termLimit stepControl::wanted(const flowMonitor& m) const
         });
         limits.push_back
         ({
-            "maxDi", f.nu > 0 ? controls_.maxDi*f.h*f.h/f.nu : infinite
+            "maxDi", f.nu > 0 && !schemes_.superSteps ? controls_.maxDi*f.h*f.h/f.nu : infinite
         });
     }
     return shortest(limits);

@@ -186,6 +186,13 @@ void checkSteps
     const solidScales solid = c.solids
       ? solidScalesOf(*c.solids, c.fluid, t.state, true) : solidScales{};
     printLocal(c, t, worst, solid);
+    if (!c.whySuperSteps.empty())
+    {
+        info
+        (
+            "    Viscosity takes super-steps (RKL2): {}", c.whySuperSteps
+        );
+    }
     if (c.solids)
     {
         tellOfSubSteps(c, solid);
