@@ -112,7 +112,7 @@ TEST(rkl2, isItsLegendrePolynomial)
             EXPECT_NEAR(rkl2::factor(s, z), wanted, 1e-10) << s << " " << z;
             EXPECT_LE(std::abs(rkl2::factor(s, z)), 1 + 1e-12);
         }
-        EXPECT_GT(std::abs(rkl2::factor(s, -1.1*most)), 1);
+        EXPECT_GT(std::abs(rkl2::factor(s, -1.5*most)), 1);
 
         // Second order: the third coefficient is not that of exp
         const double z = -1e-2;
@@ -183,13 +183,14 @@ TEST(viscousSteps, waveDecaysByThePolynomial)
 TEST(viscousSteps, leaveACommonVelocityAlone)
 {
     const domain d = periodicBox(10, 2, 10);
+    const fluidProperties fluid = publishedFluid(50);
     for (const char* precision : {"single", "double"})
     {
         hostState s = latticeState(d, 0, 1, 0.2);
         setShear(s, d, 0.7, 0);
         const auto solver = fluidSolver::make
         (
-            "cpu", precision, d, publishedFluid(50), splitSchemes(d), s
+            "cpu", precision, d, fluid, splitSchemes(d), s
         );
         const hostState before = solver->download();
         march(*solver, 1, 5);
@@ -234,6 +235,7 @@ TEST(viscousSteps, displacedParticlesAreStable)
 TEST(viscousSteps, sameBytesOnAnyThreadCount)
 {
     const domain d = periodicBox(80, 2, 80);
+    const fluidProperties fluid = publishedFluid(5);
     std::vector<particleSet> found;
     const int before = omp_get_max_threads();
     for (int threads : {1, 3})
@@ -243,7 +245,7 @@ TEST(viscousSteps, sameBytesOnAnyThreadCount)
         setShear(s, d, 0.01, 2);
         const auto solver = fluidSolver::make
         (
-            "cpu", "single", d, publishedFluid(5), splitSchemes(d), s
+            "cpu", "single", d, fluid, splitSchemes(d), s
         );
         march(*solver, 0.5, 30);
         found.push_back(solver->download().fluid);
