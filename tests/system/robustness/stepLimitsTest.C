@@ -55,7 +55,10 @@ const std::vector<limited> fixedSteps
 {
     {"acoustic", [](systemCase& c) { c.set(control, "deltaT", "0.13"); }},
     {"viscous", [](systemCase& c)
-        { c.set("constant/fluidProperties", "mu", "0.4"); }},
+        {
+            c.set("constant/fluidProperties", "mu", "0.4");
+            c.add(schemes, "superTimeStepping off;");
+        }},
     {"convective", [](systemCase& c)
         {
             c.replace(seeds, "0.02*sin(8*pi*y)", "2*cos(2*pi*x)");
@@ -150,6 +153,7 @@ TEST(stepLimits, usersOwnAreNamed)
     EXPECT_TRUE(c.run(app::gpuFsiFoam).says("limited by maxCo"));
     c.set("constant/fluidProperties", "mu", "0.4");
     c.add(control, "maxDi 0.01;");
+    c.add(schemes, "superTimeStepping off;");
     const outcome o = c.run(app::gpuFsiFoam);
     EXPECT_TRUE(o.says("limited by maxDi"));
 
@@ -225,4 +229,79 @@ TEST(stepLimits, nothingToFollow)
     EXPECT_EQ(o.code, 1);
     EXPECT_TRUE(o.says("adjustTimeStep has no limit to follow")) << o.err;
     EXPECT_EQ(c.run(app::checkParticles).code, 0);
+}
+
+
+//- Viscosity far stiffer than sound takes super-steps by itself
+TEST(stepLimits, superStepsWhereViscosityIsStiff)
+{
+    systemCase c = column([](systemCase& c)
+    {
+        c.set("constant/fluidProperties", "mu", "0.4");
+        c.set(control, "deltaT", "0.04");
+    });
+    const outcome o = c.run(app::gpuFsiFoam);
+    ASSERT_EQ(o.code, 0) << o.out << o.err;
+    EXPECT_TRUE(o.says("superTimeStepping RKL2"));
+
+    // 0.5 h^2/nu; 0.02 s is 4.1 of them, and 1.1 for margin
+    EXPECT_TRUE(o.says("Viscosity: viscous limit 0.00488 s, acoustic ")) << o.out;
+    EXPECT_TRUE(o.says(": RKL2, 5 stages in each half of a step")) << o.out;
+    const outcome check = c.run(app::checkParticles);
+    EXPECT_EQ(check.code, 0) << check.out;
+    EXPECT_TRUE(check.says("Viscosity takes super-steps (RKL2): viscous"));
+
+    // As a limit that is followed
+    c.add(control, "adjustTimeStep yes; maxCo 0.9;");
+    const outcome followed = c.run(app::gpuFsiFoam);
+    ASSERT_EQ(followed.code, 0) << followed.out << followed.err;
+    EXPECT_TRUE(followed.says("as many stages as deltaT needs"));
+    EXPECT_TRUE(followed.says("limited by maxCo\nViscosity in "))
+        << followed.out;
+}
+
+
+TEST(stepLimits, superStepsOnlyWhereNeeded)
+{
+    const auto runs = [](const char* entry, const char* deltaT)
+    {
+        const systemCase c = column([&](systemCase& c)
+        {
+            c.set("constant/fluidProperties", "mu", "0.4");
+            c.set(control, "deltaT", deltaT);
+            c.set(control, "endTime", "0.01");
+            c.add(schemes, entry);
+        });
+        const outcome o = c.run(app::gpuFsiFoam);
+        EXPECT_EQ(o.code, 0) << o.err;
+        return o.says("RKL2");
+    };
+    EXPECT_FALSE(runs("", "0.002"));
+    EXPECT_FALSE(runs("superTimeStepping auto;", "0.002"));
+    EXPECT_TRUE(runs("superTimeStepping on;", "0.002"));
+}
+
+
+TEST(stepLimits, superStepsRefused)
+{
+    const auto refused = [](const char* entries, const char* words)
+    {
+        systemCase c = column([](systemCase&) {});
+        c.add(schemes, entries);
+        const outcome o = c.run(app::gpuFsiFoam);
+        EXPECT_EQ(o.code, 1);
+        EXPECT_TRUE(o.says(words)) << o.err;
+        EXPECT_TRUE(o.says(schemes)) << o.err;
+    };
+    refused("superTimeStepping maybe;", "auto");
+    refused
+    (
+        "areaWeights radial; timeScheme Euler; superTimeStepping on;",
+        "goes beyond the published scheme"
+    );
+    refused
+    (
+        "faces hermite; laplacianFactor 1.3; superTimeStepping on;",
+        "needs gradients in every stage"
+    );
 }
