@@ -73,7 +73,17 @@ const std::vector<limited> fixedSteps
     {"coupling", [](systemCase& c)
         {
             elastic(c, "0.02", "0.07");
+            c.set("constant/fluidProperties", "mu", "0.0005");
             c.set(control, "deltaT", "0.015");
+            c.replace(seeds, "0.01*cos", "0.0001*cos");
+            c.replace(seeds, "0.1*sin", "0.0001*sin");
+            c.write("constant/wallProperties", "piston { type fixed; }\n");
+        }},
+    {"viscousCoupling", [](systemCase& c)
+        {
+            elastic(c, "0.02", "0.07");
+            c.set("constant/fluidProperties", "mu", "0.01");
+            c.set(control, "deltaT", "0.005");
             c.replace(seeds, "0.01*cos", "0.0001*cos");
             c.replace(seeds, "0.1*sin", "0.0001*sin");
             c.write("constant/wallProperties", "piston { type fixed; }\n");
