@@ -44,6 +44,10 @@ public:
         {
             functions_.dropLedgers();
         }
+        if (!controls_.allowUnstable)
+        {
+            solver_.watchEnergy();
+        }
         if (functions_.needsLedger())
         {
             solver_.keepLedger();
@@ -242,8 +246,9 @@ void runSteps
             {},
             fmt::format
             (
-                "That state is in the folder {}. Use a smaller deltaT or more "
-                "viscosity; the last time folder is intact.", folder
+                "{} That state is in the folder {}. Use a smaller deltaT or "
+                "more viscosity; the last time folder is intact.",
+                stepping.tellShortest(e.speed), folder
             )
         );
     }

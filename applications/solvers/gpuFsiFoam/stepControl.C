@@ -200,6 +200,19 @@ void stepControl::follow(const flowMonitor& m)
 }
 
 
+std::string stepControl::tellShortest(double speed) const
+{
+    flowMonitor m;
+    m.maxRelativeSpeed = speed;
+    const termLimit least = shortest(termLimits(schemes_, scalesOf(m)));
+    return fmt::format
+    (
+        "deltaT is {:.6g} s; the shortest limit of an even lattice is the {} "
+        "one, {:.6g} s.", time_.deltaT(), least.term, least.deltaT
+    );
+}
+
+
 //- controlDict was changed while the case runs
 void stepControl::warnOfChange(const flowMonitor& m)
 {
