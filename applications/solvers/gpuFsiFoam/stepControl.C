@@ -207,8 +207,10 @@ std::string stepControl::tellShortest(double speed) const
     const termLimit least = shortest(termLimits(schemes_, scalesOf(m)));
     return fmt::format
     (
-        "deltaT is {:.6g} s; the shortest limit of an even lattice is the {} "
-        "one, {:.6g} s.", time_.deltaT(), least.term, least.deltaT
+        "deltaT {:.6g} s is {} the shortest limit of an even lattice, the {} "
+        "one, {:.6g} s.", time_.deltaT(),
+        time_.deltaT() > least.deltaT ? "beyond" : "within",
+        least.term, least.deltaT
     );
 }
 
