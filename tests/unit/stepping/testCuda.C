@@ -227,6 +227,10 @@ TEST(cuda, energyIsWatchedAlike)
     s.schemes.time = particleSchemes::timeScheme::RK2;
     s.fluid.mu = 0;
     s.dt = 0.8*s.space.spacing/s.fluid.c;
+    for (std::size_t i = 0; i < s.state.fluid.size(); ++i)
+    {
+        s.state.fluid.U[i] = {0.05*hashed(2*i), 0.05*hashed(2*i + 1), 0};
+    }
     std::string said[2];
     for (int cuda : {0, 1})
     {
