@@ -55,7 +55,11 @@ public:
         startFunctions();
         while (time_.run())
         {
-            stepping_.adjust([&] { return solver_.monitor(); });
+            stepping_.adjust([&]
+            {
+                return fluid_.eos == fluidProperties::state::Tait
+                  ? solver_.monitorDensity() : solver_.monitor();
+            });
             const double before = time_.value();
             ++time_;
             solver_.step(before, time_.deltaT());

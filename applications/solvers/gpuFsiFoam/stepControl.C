@@ -59,12 +59,25 @@ stepControl::stepControl
 }
 
 
+//- Where the fluid is densest, m/s
+double stepControl::soundSpeed(const flowMonitor& m) const
+{
+    return fluid_.eos == fluidProperties::state::Tait && m.maxDeltaRho > 0
+      ? fluid_.c*std::pow
+        (
+            1 + m.maxDeltaRho/fluid_.rho0, 0.5*(fluid_.gamma - 1)
+        )
+      : fluid_.c;
+}
+
+
 caseScales stepControl::scalesOf(const flowMonitor& m) const
 {
     caseScales s = scales_;
     if (s.flow.c > 0)
     {
         const vector g = fluid_.g.at(time_.value());
+        s.flow.c = soundSpeed(m);
         s.relativeSpeed = m.maxRelativeSpeed;
         s.force = std::sqrt(dot(g, g));
     }
@@ -176,19 +189,40 @@ termLimit stepControl::wanted(const flowMonitor& m) const
         });
         limits.push_back
         ({
-            "maxDi", f.nu > 0 && !schemes_.superSteps ? controls_.maxDi*f.h*f.h/f.nu : infinite
+            "maxDi", f.nu > 0 && !schemes_.superSteps
+          ? controls_.maxDi*f.h*f.h/f.nu : infinite
         });
     }
     return shortest(limits);
 }
 
 
+//- A search is dear: limits are searched for speeds of sound 2% apart. Between
+//  them they fall with the square, as where viscosity alone damps.
+void stepControl::followSound(double c)
+{
+    constexpr double apart = 1.02;
+    flowScales flow = scales_.flow;
+    flow.c *= std::pow
+    (
+        apart, std::floor(std::log(c/flow.c)/std::log(apart) + 1e-9)
+    );
+    if (searchedC_ != flow.c)
+    {
+        searchedC_ = flow.c;
+        searchedLimit_ = acousticLimit(schemes_, flow);
+        viscous_.deltaT = viscousLimit(schemes_, flow);
+    }
+    const double ratio = searchedC_/c;
+    acoustic_.deltaT = searchedLimit_*ratio*ratio;
+}
+
+
 void stepControl::follow(const flowMonitor& m)
 {
-    if (acoustic_.deltaT == infinite && scales_.flow.c > 0)
+    if (scales_.flow.c > 0)
     {
-        acoustic_.deltaT = acousticLimit(schemes_, scales_.flow);
-        viscous_.deltaT = viscousLimit(schemes_, scales_.flow);
+        followSound(soundSpeed(m));
     }
     const termLimit next = wanted(m);
     if (next.deltaT == infinite)

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace
@@ -316,4 +317,29 @@ TEST(stepLimits, superStepsRefused)
         "faces hermite; laplacianFactor 1.3; superTimeStepping on;",
         "needs gradients in every stage"
     );
+}
+
+
+//- Tait's speed of sound grows with the third power of density
+TEST(stepLimits, soundIsFollowedWhereItIsFastest)
+{
+    const auto first = [](const char* amplitude)
+    {
+        const systemCase c = column([&](systemCase& c)
+        {
+            c.replace(seeds, "0.01*cos", amplitude);
+            c.set(control, "endTime", "0.01");
+            c.add(control, "adjustTimeStep yes; maxCo 0.1; maxDi 0.5;");
+        });
+        const outcome o = c.run(app::gpuFsiFoam);
+        EXPECT_EQ(o.code, 0) << o.err;
+        const std::vector<double> steps = stepsIn(o.out);
+        return steps.empty() ? 0.0 : steps[0];
+    };
+    const double slow = first("0.0001*cos"), fast = first("0.4*cos");
+
+    // maxCo h/(c + U): the densest row is that beside the end
+    const double rho = 1 + 0.4*std::cos(0.0625*M_PI/2);
+    EXPECT_NEAR(slow*(1.1/0.1), 0.0625, 0.004);
+    EXPECT_NEAR(fast/slow, 1.1/(std::pow(rho, 3) + 0.1), 0.05);
 }
