@@ -35,10 +35,20 @@ static solidScales solidsOf
 }
 
 
+//- A restart must find it again where deltaT follows it: then the least that
+//  seeding gives walls that rest
+static double wallGapOf(const scene& s, fluidSolver& solver)
+{
+    constexpr double seeded = 0.5;
+    return solver.nWalls() == 0 || s.fluid.mu == 0 ? 0
+      : s.time->adjustTimeStep() ? seeded : solver.wallGap();
+}
+
+
 stepControl::stepControl
 (
     const scene& s,
-    const fluidSolver& solver,
+    fluidSolver& solver,
     const communicator& ranks
 )
 :
@@ -54,6 +64,7 @@ stepControl::stepControl
     const bool fluid = s.space.hasFluid();
     scales_.flow = fluid ? flowScalesOf(s.space, s.fluid)
       : flowScales{s.space.dimensions, s.space.spacing, 0, 0};
+    scales_.flow.wallGap = fluid ? wallGapOf(s, solver) : 0;
     scales_.rho = s.fluid.rho0;
     scales_.solid = solidsOf(s, solver, ranks);
 }
