@@ -216,9 +216,9 @@ TEST(pressureNoise, measureSeesIt)
 //     neighbours kept      0.0018 0.0022 0.0069    0.0017 0.015 0.15
 //     renewed every 0.1 h  0.038  0.19   1.8       0.0016 0.015 0.14
 // What makes noise are neighbours that change: the new weights see the flow
-// diverge by some 1e-3 U/h, which sound has to mend, rho c u of pressure. Between
-// renewals there is no odd-even wave, at any speed of sound. U's error is that of
-// the dissipation, which grows with c.
+// diverge by some 1e-3 U/h, which sound has to mend, rho c u of pressure.
+// Between renewals there is no odd-even wave, at any speed of sound. U's error
+// is that of the dissipation, which grows with c.
 
 TEST(pressureNoise, noneWhereNeighboursStay)
 {
