@@ -15,7 +15,8 @@ namespace gpuFsi
 namespace
 {
 
-constexpr std::size_t bufferBytes = std::size_t(8) << 20;
+// In the cache of a core
+constexpr std::size_t bufferBytes = std::size_t(1) << 20;
 constexpr std::size_t chunkBytes = std::size_t(64) << 20;
 
 [[noreturn]] void cannotRead

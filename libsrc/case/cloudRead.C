@@ -4,6 +4,8 @@
 #include "case/fieldIO.H"
 #include "case/foamFile.H"
 #include "case/foamScanner.H"
+#include "case/largeFields.H"
+#include "case/parallelFiles.H"
 
 #include <algorithm>
 #include <cmath>
@@ -400,10 +402,62 @@ cloudField readField
     return field;
 }
 
+//- Large files at the same time; the general reader takes what is left, in
+//  order, and complains
+static void readFiles
+(
+    cloud& particles,
+    const std::filesystem::path& directory,
+    const std::vector<std::filesystem::path>& files,
+    const std::set<std::string>& asVectors
+)
+{
+    std::optional<std::vector<vector>> positions;
+    std::vector<std::optional<cloudField>> fields(files.size());
+    std::vector<std::optional<std::vector<vector>>> vectors(files.size());
+    forEachFile(int(files.size()) + 1, [&](int k)
+    {
+        if (k == 0)
+        {
+            positions = largePositions(directory/"positions");
+            return;
+        }
+        const std::filesystem::path& file = files[k - 1];
+        if (asVectors.count(file.filename().string()))
+        {
+            vectors[k - 1] = largeVectors(file);
+        }
+        else
+        {
+            fields[k - 1] = largeField(file);
+        }
+    });
+    particles.positions = positions
+      ? std::move(*positions) : readPositions(directory/"positions");
+    const std::size_t n = particles.size();
+    for (std::size_t k = 0; k < files.size(); ++k)
+    {
+        if (vectors[k] && vectors[k]->size() == n)
+        {
+            particles.vectors[files[k].filename().string()] =
+                std::move(*vectors[k]);
+        }
+        else if (fields[k] && fields[k]->size() == n)
+        {
+            particles.fields.push_back(std::move(*fields[k]));
+        }
+        else
+        {
+            particles.fields.push_back(readField(files[k], n));
+        }
+    }
+}
+
 cloud readCloud
 (
     const std::filesystem::path& timeDirectory,
-    const std::string& cloudName
+    const std::string& cloudName,
+    const cloudRequest& request
 )
 {
     const std::filesystem::path directory =
@@ -427,7 +481,6 @@ cloud readCloud
     }
     cloud particles;
     particles.name = cloudName;
-    particles.positions = readPositions(directory/"positions");
 
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(directory))
@@ -441,7 +494,7 @@ cloud readCloud
         if
         (
             entry.is_regular_file() && name[0] != '.' && name != "positions"
-         && name != "coordinates"
+         && name != "coordinates" && !request.leaveOut.count(name)
         )
         {
             files.push_back(file);
@@ -449,10 +502,7 @@ cloud readCloud
     }
     std::sort(files.begin(), files.end());
     files.erase(std::unique(files.begin(), files.end()), files.end());
-    for (const std::filesystem::path& file : files)
-    {
-        particles.fields.push_back(readField(file, particles.size()));
-    }
+    readFiles(particles, directory, files, request.vectors);
     return particles;
 }
 

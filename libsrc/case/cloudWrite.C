@@ -3,11 +3,13 @@
 #include "case/fieldClass.H"
 #include "case/fieldIO.H"
 #include "case/foamFile.H"
+#include "case/parallelFiles.H"
 
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <numeric>
 
 namespace gpuFsi
 {
@@ -103,9 +105,9 @@ void appendPositions
     out.append(")\n");
 }
 
-void checkLabels(const cloudField& field)
+void checkLabels(const fieldView& field)
 {
-    for (std::size_t i = 0; i < field.values.size(); ++i)
+    for (std::size_t i = 0; i < field.nValues; ++i)
     {
         const double v = field.values[i];
         if (!(std::abs(v) <= 2147483647.) || v != std::floor(v))
@@ -122,20 +124,24 @@ void checkLabels(const cloudField& field)
     }
 }
 
-void appendBinary(caseFileWriter& out, const cloudField& field, bool labels)
+void appendBinary
+(
+    caseFileWriter& out,
+    const fieldView& field,
+    const fieldClass& cls
+)
 {
-    const std::vector<double>& values = field.values;
-    out.append(std::to_string(field.size()) + "\n");
-    if (values.empty())
+    out.append(std::to_string(field.nValues/cls.nComponents) + "\n");
+    if (field.nValues == 0)
     {
         return;    // as OpenFOAM: no parentheses
     }
     out.append("(");
-    if (labels)
+    if (cls.isLabel)
     {
-        for (double v : values)
+        for (std::size_t i = 0; i < field.nValues; ++i)
         {
-            const std::int32_t label = std::int32_t(v);
+            const std::int32_t label = std::int32_t(field.values[i]);
             std::memcpy(out.space(4), &label, 4);
             out.advance(4);
         }
@@ -144,8 +150,8 @@ void appendBinary(caseFileWriter& out, const cloudField& field, bool labels)
     {
         out.append
         (
-            reinterpret_cast<const char*>(values.data()),
-            values.size()*sizeof(double)
+            reinterpret_cast<const char*>(field.values),
+            field.nValues*sizeof(double)
         );
     }
     out.append(")\n");
@@ -174,10 +180,11 @@ std::size_t writeCloudProperties
 
 //- Decided by what is printed: so a file that is read and written again stays
 //  the same, though values that differ in later digits have become equal
-bool allPrintAlike(const std::vector<double>& values, int n, int digits)
+bool allPrintAlike(const fieldView& field, int n, int digits)
 {
+    const double* const values = field.values;
     char first[maxNumberLength], other[maxNumberLength];
-    for (std::size_t i = n; i < values.size(); ++i)
+    for (std::size_t i = n; i < field.nValues; ++i)
     {
         if (std::memcmp(&values[i], &values[i % n], sizeof(double)) == 0)
         {
@@ -199,14 +206,14 @@ bool allPrintAlike(const std::vector<double>& values, int n, int digits)
 void appendAscii
 (
     caseFileWriter& out,
-    const cloudField& field,
-    bool labels,
+    const fieldView& field,
+    const fieldClass& cls,
     int precision
 )
 {
-    const int n = field.nComponents();
-    const std::size_t size = field.size();
-    const int digits = labels ? 10 : precision;
+    const int n = cls.nComponents;
+    const std::size_t size = field.nValues/n;
+    const int digits = cls.isLabel ? 10 : precision;
     const auto appendOne = [&](std::size_t i, const char* after)
     {
         appendPrinted(out, n, [&](char* to)
@@ -218,7 +225,7 @@ void appendAscii
         });
     };
     out.append(std::to_string(size));
-    if (size > 1 && allPrintAlike(field.values, n, digits))
+    if (size > 1 && allPrintAlike(field, n, digits))
     {
         out.append("{");
         appendOne(0, "}\n");
@@ -249,12 +256,13 @@ std::size_t writeField
 (
     const std::filesystem::path& directory,
     const std::string& location,
-    const cloudField& field,
+    const fieldView& field,
     const writeOptions& options
 )
 {
-    const bool labels = findFieldClass(field.cls)->isLabel;
-    if (labels)
+    const fieldClass* cls = findFieldClass(field.cls);
+    developerAssert(cls, "field of an unknown class");
+    if (cls->isLabel)
     {
         checkLabels(field);
     }
@@ -265,29 +273,23 @@ std::size_t writeField
     out.append(headerFor(location, field.cls, field.name, options).text());
     if (options.binary)
     {
-        appendBinary(out, field, labels);
+        appendBinary(out, field, *cls);
     }
     else
     {
-        appendAscii(out, field, labels, options.precision);
+        appendAscii(out, field, *cls, options.precision);
     }
     return out.finish();
 }
 
-std::size_t writeCloud
+static std::size_t writePositions
 (
-    const std::filesystem::path& timeDirectory,
-    const cloud& particles,
+    const std::filesystem::path& directory,
+    const std::string& location,
+    const std::vector<vector>& positions,
     const writeOptions& options
 )
 {
-    const std::filesystem::path directory =
-        timeDirectory/"lagrangian"/particles.name;
-    const std::string location =
-        timeDirectory.filename().string() + "/lagrangian/" + particles.name;
-    std::size_t written =
-        writeCloudProperties(timeDirectory, particles.name);
-
     caseFileWriter out
     (
         directory/"positions", options.compress && !options.binary
@@ -299,18 +301,57 @@ std::size_t writeCloud
             location, "Cloud<passiveParticle>", "positions", options
         ).text()
     );
-    appendPositions(out, particles.positions, options);
-    written += out.finish();
-    for (const cloudField& field : particles.fields)
+    appendPositions(out, positions, options);
+    return out.finish();
+}
+
+std::size_t writeCloud
+(
+    const std::filesystem::path& timeDirectory,
+    const cloudView& particles,
+    const writeOptions& options
+)
+{
+    const std::filesystem::path directory =
+        timeDirectory/"lagrangian"/particles.name();
+    const std::string location =
+        timeDirectory.filename().string() + "/lagrangian/" + particles.name();
+    const std::size_t n = particles.positions().size();
+    const std::vector<fieldView>& fields = particles.fields();
+    for (const fieldView& field : fields)
     {
+        const fieldClass* cls = findFieldClass(field.cls);
         developerAssert
         (
-            field.values.size() == particles.size()*field.nComponents(),
+            cls && field.nValues == n*cls->nComponents,
             "cloud field with another size than the positions"
         );
-        written += writeField(directory, location, field, options);
     }
-    return written;
+    std::vector<std::size_t> written(fields.size() + 1);
+    forEachFile(int(written.size()), [&](int k)
+    {
+        written[k] = k == 0
+          ? writePositions
+            (
+                directory, location, particles.positions(), options
+            )
+          : writeField(directory, location, fields[k - 1], options);
+    });
+    return std::accumulate
+    (
+        written.begin(), written.end(),
+        writeCloudProperties(timeDirectory, particles.name())
+    );
+}
+
+std::size_t writeCloud
+(
+    const std::filesystem::path& timeDirectory,
+    const cloud& particles,
+    const writeOptions& options
+)
+{
+    return writeCloud(timeDirectory, cloudView(particles), options);
 }
 
 } // namespace gpuFsi

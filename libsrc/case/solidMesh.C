@@ -130,7 +130,10 @@ std::size_t solidMesh::write
     std::size_t bytes = 0;
     for (const cloudField& field : all.fields)
     {
-        bytes += writeField(folder, "constant/solid", field, exact);
+        bytes += writeField
+        (
+            folder, "constant/solid", fieldView(field), exact
+        );
     }
     return bytes;
 }

@@ -4,6 +4,7 @@
 #include "case/caseFileIO.H"
 #include "case/fieldIO.H"
 #include "case/foamFile.H"
+#include "case/parallelFiles.H"
 
 #include <algorithm>
 #include <fstream>
@@ -119,14 +120,14 @@ void cloudForm::write(const fs::path& time, cloud c) const
     c.fields.clear();
     writeCloud(time, c, options("positions"));
     const fs::path place = fs::path("lagrangian")/c.name;
-    for (const cloudField& field : fields)
+    forEachFile(int(fields.size()), [&](int k)
     {
         writeField
         (
-            time/place, (time.filename()/place).string(), field,
-            options(field.name)
+            time/place, (time.filename()/place).string(),
+            fieldView(fields[k]), options(fields[k].name)
         );
-    }
+    });
 }
 
 } // namespace gpuFsi

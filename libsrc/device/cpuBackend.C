@@ -1,5 +1,7 @@
 #include "device/backend.H"
 
+#include "base/largeBlocks.H"
+
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -11,8 +13,7 @@ namespace gpuFsi
 
 void* cpuBackend::allocate(std::size_t bytes)
 {
-    const std::size_t line = 64;
-    void* p = std::aligned_alloc(line, (bytes + line - 1)/line*line);
+    void* p = allocateBlock(bytes);
     if (!p)
     {
         throw std::bad_alloc();

@@ -42,12 +42,44 @@ const cloudField& needField
 }
 
 
+std::vector<double> takeValues
+(
+    cloud& c,
+    const std::string& field,
+    const std::string& cls,
+    const fs::path& time
+)
+{
+    const cloudField& f = needField(c, field, cls, time);
+    return std::move(c.fields[&f - c.fields.data()].values);
+}
+
+
+std::vector<vector> takeVectors
+(
+    cloud& c,
+    const std::string& field,
+    const fs::path& time
+)
+{
+    const auto found = c.vectors.find(field);
+    return found != c.vectors.end()
+      ? std::move(found->second)
+      : vectorsOf(needField(c, field, "vectorField", time));
+}
+
+
 std::vector<vector> vectorsOf(const cloudField& f)
 {
-    std::vector<vector> v(f.size());
-    for (std::size_t i = 0; i < v.size(); ++i)
+    const std::size_t n = f.size();
+    std::vector<vector> v;
+    v.reserve(n);
+    for (std::size_t i = 0; i < n; ++i)
     {
-        v[i] = {f.values[3*i], f.values[3*i + 1], f.values[3*i + 2]};
+        v.push_back
+        ({
+            f.values[3*i], f.values[3*i + 1], f.values[3*i + 2]
+        });
     }
     return v;
 }

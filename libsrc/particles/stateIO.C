@@ -1,5 +1,6 @@
 #include "particles/stateIO.H"
 
+#include "case/cloudView.H"
 #include "particles/needField.H"
 #include "particles/solidIO.H"
 
@@ -10,6 +11,9 @@ namespace gpuFsi
 {
 
 namespace fs = std::filesystem;
+
+//- Pressure follows from density
+static const cloudRequest fluidRequest{{"p"}, {"U"}};
 
 static void checkPositive
 (
@@ -37,23 +41,33 @@ static void checkPositive
 
 
 //- deltaRho where it was written, which must agree with rho; else rho - rho0
-static std::vector<double> readDeltaRho
+static std::vector<double> takeDeltaRho
 (
-    const cloud& c,
+    cloud& c,
     double rho0,
     const fs::path& time
 )
 {
-    const std::vector<double>& rho =
-        needField(c, "rho", "scalarField", time).values;
+    const std::vector<double> rho =
+        takeValues(c, "rho", "scalarField", time);
     const fs::path directory = time/"lagrangian"/c.name;
     checkPositive(rho, "rho", directory/"rho");
 
-    std::vector<double> delta(rho.size());
-    const cloudField* stored = c.find("deltaRho");
+    std::vector<double> delta;
+    if (c.find("deltaRho"))
+    {
+        delta = takeValues(c, "deltaRho", "scalarField", time);
+    }
+    else
+    {
+        delta = rho;
+        for (double& d : delta)
+        {
+            d -= rho0;
+        }
+    }
     for (std::size_t i = 0; i < rho.size(); ++i)
     {
-        delta[i] = stored ? stored->values[i] : rho[i] - rho0;
         if (std::abs(rho0 + delta[i] - rho[i]) > 1e-5*rho[i])
         {
             throw userError
@@ -73,12 +87,13 @@ static std::vector<double> readDeltaRho
 }
 
 
-static particleSet readSet(const cloud& c, double rho0, const fs::path& time)
+//- Its values go along
+static particleSet takeSet(cloud& c, double rho0, const fs::path& time)
 {
     particleSet s;
-    s.positions = c.positions;
-    s.U = vectorsOf(needField(c, "U", "vectorField", time));
-    s.deltaRho = readDeltaRho(c, rho0, time);
+    s.U = takeVectors(c, "U", time);
+    s.deltaRho = takeDeltaRho(c, rho0, time);
+    s.positions = std::move(c.positions);
     return s;
 }
 
@@ -182,15 +197,10 @@ static std::vector<int> idsOf(const cloud& c, const fs::path& time)
 }
 
 
-static void readFluid
-(
-    hostState& s,
-    const cloud& fluid,
-    const fs::path& time
-)
+static void readFluid(hostState& s, cloud&& fluid, const fs::path& time)
 {
-    s.fluid = readSet(fluid, s.rho0, time);
-    s.fluid.mass = needField(fluid, "m", "scalarField", time).values;
+    s.fluid = takeSet(fluid, s.rho0, time);
+    s.fluid.mass = takeValues(fluid, "m", "scalarField", time);
     checkPositive(s.fluid.mass, "m", time/"lagrangian/fluid/m");
 }
 
@@ -198,16 +208,16 @@ static void readFluid
 static void readWalls
 (
     hostState& s,
-    const cloud& walls,
+    cloud&& walls,
     const fs::path& time,
     const domain& d
 )
 {
-    s.walls = readSet(walls, s.rho0, time);
+    s.walls = takeSet(walls, s.rho0, time);
     s.normals = vectorsOf(needField(walls, "normal", "vectorField", time));
-    s.area = needField(walls, "area", "scalarField", time).values;
+    s.area = takeValues(walls, "area", "scalarField", time);
     const cloudField* reference = walls.find("referencePosition");
-    s.wallReference = reference ? vectorsOf(*reference) : walls.positions;
+    s.wallReference = reference ? vectorsOf(*reference) : s.walls.positions;
     for (double p : needField(walls, "patch", "labelField", time).values)
     {
         if (p < 0 || p >= double(d.walls.size()))
@@ -247,7 +257,7 @@ hostState readState
     {
         return s;
     }
-    readFluid(s, readCloud(time, "fluid"), time);
+    readFluid(s, readCloud(time, "fluid", fluidRequest), time);
     if (!anywhere)
     {
         checkInside(s.fluid, d, time/"lagrangian/fluid/positions");
@@ -284,48 +294,60 @@ hostState readPart
     {
         return s;
     }
-    const cloud fluid = readCloud(time, "fluid");
-    readFluid(s, fluid, time);
-    checkInside(s.fluid, d, time/"lagrangian/fluid/positions");
+    cloud fluid = readCloud(time, "fluid", fluidRequest);
     s.fluidId = idsOf(fluid, time);
+    readFluid(s, std::move(fluid), time);
+    checkInside(s.fluid, d, time/"lagrangian/fluid/positions");
     if (!d.walls.empty())
     {
-        const cloud walls = readCloud(time, "walls");
-        readWalls(s, walls, time, d);
+        cloud walls = readCloud(time, "walls");
         s.wallId = idsOf(walls, time);
+        readWalls(s, std::move(walls), time, d);
     }
     return s;
 }
 
 
-static cloud toCloud
-(
-    const char* name,
-    const particleSet& s,
-    double rho0
-)
+static cloudView toCloud(const char* name, const particleSet& s, double rho0)
 {
-    cloud c;
-    c.name = name;
-    c.positions = s.positions;
+    cloudView c(name, s.positions);
     c.addVector("U", s.U);
-    std::vector<double> rho(s.deltaRho);
-    for (double& r : rho)
+    std::vector<double> rho;
+    rho.reserve(s.size());
+    for (const double d : s.deltaRho)
     {
-        r += rho0;
+        rho.push_back(d + rho0);
     }
-    c.addScalar("rho", std::move(rho));
+    c.hold("scalarField", "rho", std::move(rho));
     c.addScalar("deltaRho", s.deltaRho);
     return c;
 }
 
 
-static void addIds(cloud& c, bool partial, const std::vector<int>& ids)
+static void addLabels
+(
+    cloudView& c,
+    const char* name,
+    const std::vector<int>& labels
+)
 {
-    if (partial)
+    c.hold("labelField", name, {labels.begin(), labels.end()});
+}
+
+
+static std::vector<double> pressures
+(
+    const hostState& s,
+    const std::function<double(double)>& pressure
+)
+{
+    std::vector<double> p;
+    p.reserve(s.fluid.size());
+    for (const double d : s.fluid.deltaRho)
     {
-        c.addLabel("origId", {ids.begin(), ids.end()});
+        p.push_back(pressure(s.rho0 + d));
     }
+    return p;
 }
 
 
@@ -343,29 +365,31 @@ std::size_t writeState
     {
         return bytes;
     }
-    cloud fluid = toCloud("fluid", s.fluid, s.rho0);
-    fluid.addScalar("m", s.fluid.mass);
-    std::vector<double> p(s.fluid.size());
-    for (std::size_t i = 0; i < p.size(); ++i)
     {
-        p[i] = pressure(s.rho0 + s.fluid.deltaRho[i]);
+        cloudView fluid = toCloud("fluid", s.fluid, s.rho0);
+        fluid.addScalar("m", s.fluid.mass);
+        fluid.hold("scalarField", "p", pressures(s, pressure));
+        if (s.partial)
+        {
+            addLabels(fluid, "origId", s.fluidId);
+        }
+        bytes += writeCloud(time, fluid, options);
     }
-    fluid.addScalar("p", std::move(p));
-    addIds(fluid, s.partial, s.fluidId);
-    bytes += writeCloud(time, fluid, options);
-
     if (!s.wallNames.empty())
     {
-        cloud walls = toCloud("walls", s.walls, s.rho0);
+        cloudView walls = toCloud("walls", s.walls, s.rho0);
         walls.addVector("normal", s.normals);
         walls.addScalar("area", s.area);
         walls.addVector("referencePosition", s.wallReference);
-        walls.addLabel("patch", {s.patch.begin(), s.patch.end()});
+        addLabels(walls, "patch", s.patch);
         if (!s.solid.names.empty() || !s.wallNode.empty())
         {
-            walls.addLabel("node", {s.wallNode.begin(), s.wallNode.end()});
+            addLabels(walls, "node", s.wallNode);
         }
-        addIds(walls, s.partial, s.wallId);
+        if (s.partial)
+        {
+            addLabels(walls, "origId", s.wallId);
+        }
         bytes += writeCloud(time, walls, options);
     }
     return bytes;

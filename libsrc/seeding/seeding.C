@@ -215,12 +215,18 @@ seededParticles seedFluid(const lattice& l, const regionList& regions)
 
     seededParticles result;
     std::vector<std::uint8_t> bulk(l.size(), 1);
+    std::size_t nBulk = 0;
     for (std::size_t i = 0; i < l.size(); ++i)
     {
         for (const regionTrace& t : traces)
         {
             bulk[i] = bulk[i] && t.inside[i] && !t.close[i];
         }
+        nBulk += bulk[i];
+    }
+    result.bulk.reserve(nBulk);
+    for (std::size_t i = 0; i < l.size(); ++i)
+    {
         if (bulk[i])
         {
             result.bulk.push_back(l.point(i));

@@ -66,8 +66,9 @@ void runReport::printScene() const
         gpuFsi::info("Ranks       : {}", ranks);
     }
     gpuFsi::info("Terms       : {}", solver_.terms());
-    gpuFsi::info("Memory      : {:.1f} MB, {:.1f} bytes per particle\n",
-        solver_.bytes()/1e6, double(solver_.bytes())/n);
+    gpuFsi::info("Memory      : {:.1f} MB, {:.1f} bytes per particle: {}\n",
+        solver_.bytes()/1e6, double(solver_.bytes())/n,
+        solver_.describeMemory());
 }
 
 

@@ -1,5 +1,5 @@
 #include "common/lattice.H"
-#include "neighbours/direction.H"
+#include "neighbours/packOffers.H"
 
 #include <gtest/gtest.h>
 
@@ -86,4 +86,43 @@ TEST(direction, latticeOffsetsHaveTheirOwnDirection)
         }
     }
     EXPECT_EQ(seen, std::vector<int>(26, 1));
+}
+
+
+//- Eight at a time: the same, ties and all
+template<int D>
+static void comparePacks()
+{
+    using V = pack<int, 8>;
+    for (int i = 0; i < 20000; ++i)
+    {
+        // Small ones tie often
+        const int size = i % 2 ? 16384 : 3;
+        V x, y, z{};
+        for (int l = 0; l < 8; ++l)
+        {
+            const std::uint64_t k = 24*std::uint64_t(i) + 3*l;
+            x[l] = int(std::lround(0.57*size*hashed(k)));
+            y[l] = int(std::lround(0.57*size*hashed(k + 1)));
+            z[l] = D == 3 ? int(std::lround(0.57*size*hashed(k + 2))) : 0;
+        }
+        const V k = directionsOf<D>(x, y, z);
+        for (int l = 0; l < 8; ++l)
+        {
+            const offset d{x[l], y[l], z[l]};
+            if (d.squared() > 0)
+            {
+                ASSERT_EQ(k[l], directionOf<D>(d))
+                    << d.x << ' ' << d.y << ' ' << d.z;
+            }
+            ASSERT_GE(k[l], 0);
+            ASSERT_LT(k[l], nDirections<D>);
+        }
+    }
+}
+
+TEST(direction, packsAgree)
+{
+    comparePacks<2>();
+    comparePacks<3>();
 }

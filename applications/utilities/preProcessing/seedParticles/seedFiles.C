@@ -45,29 +45,31 @@ void addField(cloud& to, const seedField& field)
         to.addScalar("rho", evaluateRho(field, to.positions));
         return;
     }
-    std::vector<std::vector<double>> values;
-    for (const expression& e : field.components)
+    const std::size_t n = field.components.size();
+    if (n == 1)
     {
-        values.push_back(e.at(to.positions));
-    }
-    if (values.size() == 1)
-    {
-        to.addScalar(field.name, std::move(values[0]));
+        to.addScalar(field.name, field.components[0].at(to.positions));
         return;
     }
-    std::vector<vector> vectors(to.size());
-    for (std::size_t i = 0; i < to.size(); ++i)
+    cloudField vectors{"vectorField", field.name, {}};
+    vectors.values.resize(n*to.size());
+    for (std::size_t c = 0; c < n; ++c)
     {
-        vectors[i] = {values[0][i], values[1][i], values[2][i]};
+        const std::vector<double> one = field.components[c].at(to.positions);
+        for (std::size_t i = 0; i < one.size(); ++i)
+        {
+            vectors.values[n*i + c] = one[i];
+        }
     }
-    to.addVector(field.name, vectors);
+    to.fields.push_back(std::move(vectors));
 }
 
-cloud makeFluid(const seedSettings& settings, const seededParticles& seeded)
+//- The bulk goes along
+cloud makeFluid(const seedSettings& settings, seededParticles& seeded)
 {
     cloud fluid;
     fluid.name = "fluid";
-    fluid.positions = seeded.bulk;
+    fluid.positions = std::move(seeded.bulk);
     for (const seedField& field : settings.fields)
     {
         addField(fluid, field);
@@ -194,7 +196,7 @@ writeOptions readWriteOptions(const std::filesystem::path& casePath)
 std::vector<cloud> makeClouds
 (
     const seedSettings& settings,
-    const seededParticles& seeded,
+    seededParticles& seeded,
     const seededSolids& solids
 )
 {
