@@ -148,6 +148,10 @@ void runReport::printEnd()
     line("function objects", functionSeconds_);
     line("writing", writeSeconds_);
     gpuFsi::info("Neighbour refreshes = {}", solver_.nRefreshes());
+    if (solver_.nSorts() > 0)
+    {
+        gpuFsi::info("Storage sorts = {}", solver_.nSorts());
+    }
     if (const std::string sent = solver_.describeMessages(); !sent.empty())
     {
         gpuFsi::info("Messages: {}", sent);

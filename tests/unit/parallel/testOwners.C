@@ -5,12 +5,12 @@
 #include "base/error.H"
 #include "decomposition/blockOwners.H"
 #include "device/scan.H"
-#include "device/sortByKey.H"
 #include "grids.H"
-#include "parallel/ownPasses.H"
+#include "parallel/brickSort.H"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 
 using namespace gpuFsi;
@@ -91,14 +91,41 @@ TEST(blockGrid, cellsCoverTheSameDomain)
 }
 
 
-//- Cells of a row follow each other, rows of a brick too
-TEST(brickKeys, sortRowByRow)
+//- Cell number k of the order, by its definition: rows of 8 along x, then the
+//  rows of a brick and the bricks along Morton's curve, lowest digits first
+static std::array<int, 3> cellOfOrder(int k, int D)
 {
-    const int n = 16;
-    const blockGrid cells = gridOf(n, n, n, true);
-    std::vector<placeRho<double>> place(n*n*n);
-    std::vector<int> index(place.size());
-    for (int i = 0; i < n*n*n; ++i)
+    std::array<int, 3> c{k % 8, 0, 0};
+    k /= 8;
+    for (int digit = 0; digit < 3; ++digit)
+    {
+        for (int axis = 1; axis < D; ++axis)
+        {
+            c[axis] += k % 2 << digit;
+            k /= 2;
+        }
+    }
+    for (int digit = 3; k > 0; ++digit)
+    {
+        for (int axis = 0; axis < D; ++axis)
+        {
+            c[axis] += k % 2 << digit;
+            k /= 2;
+        }
+    }
+    return c;
+}
+
+
+//- Particles in the midst of all cells, in reverse, sorted
+template<int D>
+static void expectBricks(int n)
+{
+    const int all = D == 3 ? n*n*n : n*n;
+    const blockGrid cells = gridOf(n, n, D == 3 ? n : 1, true);
+    std::vector<placeRho<double>> place(all);
+    std::vector<int> index(all);
+    for (int i = 0; i < all; ++i)
     {
         const double width = std::ldexp(1.0, 64)/n;
         const auto at = [&](int c)
@@ -108,27 +135,24 @@ TEST(brickKeys, sortRowByRow)
         place[i].x = at(i % n);
         place[i].y = at(i/n % n);
         place[i].z = at(i/(n*n));
-        index[i] = n*n*n - 1 - i;
+        index[i] = all - 1 - i;
     }
     particlePool<double> pool{};
     pool.place = place.data();
-    pool.nOwn = n*n*n;
-    std::vector<std::uint64_t> keys(place.size());
-    const brickKeys<double> key{pool, cells, index.data(), keys.data()};
-    for (int k = 0; k < n*n*n; ++k)
+    pool.nOwn = all;
+    sortBricks<cpuBackend, double, D>(pool, cells, index.data(), all);
+    for (int k = 0; k < all; ++k)
     {
-        key(k);
+        const auto c = cellOfOrder(k, D);
+        EXPECT_EQ(index[k], c[0] + n*(c[1] + n*c[2])) << D << "-D " << k;
     }
-    sortByKey<cpuBackend>(keys.data(), index.data(), index.size());
-    for (int k = 0; k < n*n*n; ++k)
-    {
-        const int x = k % n, y = k/n % 8, z = k/(8*n) % 8;
-        const int brick = k/(64*n);
-        EXPECT_EQ
-        (
-            index[k], x + n*(y + 8*(brick % 2)) + n*n*(z + 8*(brick/2))
-        );
-    }
+}
+
+
+TEST(brickKeys, followTheCurve)
+{
+    expectBricks<2>(64);
+    expectBricks<3>(32);
 }
 
 
