@@ -15,11 +15,16 @@ constexpr double tiny = std::numeric_limits<double>::min();
 } // namespace
 
 
-column::column(const dictionary& dict, const fluidConstants& fluid)
+column::column
+(
+    const dictionary& dict,
+    const fluidConstants& fluid,
+    bool endless
+)
 :
     origin(dict.getOrDefault<vector>("origin", {0, 0, 0})),
     direction(dict.getOrDefault<vector>("direction", {1, 0, 0})),
-    length(dict.getNumber("length", tiny, huge)),
+    length(endless ? 0 : dict.getNumber("length", tiny, huge)),
     rho0(dict.getNumberOrDefault("rho0", fluid.rho0, tiny, huge)),
     c(dict.getNumberOrDefault("c", fluid.c, tiny, huge)),
     nu(dict.getNumberOrDefault("nu", fluid.nu, 0, huge))

@@ -171,6 +171,54 @@ void readChoices(parameter& p, const dictionary& choices)
 }
 
 
+//- linear or logarithmic (from to number), both ends among them
+std::vector<std::string> spacedValues
+(
+    const dictionary& dict,
+    const std::string& key
+)
+{
+    const auto given = dict.get<std::vector<double>>(key);
+    const bool logs = key == "logarithmic";
+    const bool good = given.size() == 3 && given[2] >= 2 && given[2] <= 1000
+     && given[2] == std::floor(given[2]) && given[0] != given[1]
+     && !(logs && (given[0] <= 0 || given[1] <= 0));
+    if (!good)
+    {
+        throw userError
+        (
+            "Entry '" + key + "' is '" + tokensText(dict.tokens(key), 60)
+          + "', from, to (another" + (logs ? ", both positive" : "")
+          + ") and how many (2 to 1000) were expected",
+            dict.where(key), "Write " + key + " (0.01 100 9);"
+        );
+    }
+    std::vector<std::string> values;
+    for (int i = 0; i < int(given[2]); ++i)
+    {
+        const double part = i/(given[2] - 1);
+        const double value = logs
+          ? given[0]*std::pow(given[1]/given[0], part)
+          : given[0] + (given[1] - given[0])*part;
+        values.push_back(fmt::format("{:.5g}", value));
+    }
+    return values;
+}
+
+
+std::vector<std::string> listedValues(const dictionary& dict)
+{
+    for (const char* key : {"linear", "logarithmic"})
+    {
+        if (dict.found(key))
+        {
+            return spacedValues(dict, key);
+        }
+    }
+    return valueList(dict, "values");
+}
+
+
 //- A shell takes no other names
 void checkName(const std::string& name, const sourceSpan& where)
 {
@@ -228,7 +276,7 @@ parameter readParameter(const std::string& name, const dictionary& dict)
     }
     else
     {
-        for (const std::string& value : valueList(dict, "values"))
+        for (const std::string& value : listedValues(dict))
         {
             // Without entries only the variable carries it
             p.choices.push_back

@@ -1,5 +1,7 @@
 #include "study/picture.H"
 
+#include "study/gnuplot.H"
+
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -18,18 +20,6 @@ const char* const colours[] =
 constexpr int nColours = 10;
 const int marks[] = {7, 5, 9, 11, 13, 15, 6, 4, 8, 10, 12, 14};
 constexpr int nMarks = 12;
-
-//- Nothing that gnuplot would expand
-std::string quoted(const std::string& text)
-{
-    std::string result = "'";
-    for (const char c : text)
-    {
-        result += c == '\'' ? "''" : std::string(1, c);
-    }
-    return result + "' noenhanced";
-}
-
 
 //- Labels of the study's own resolutions, in order of appearance
 std::vector<std::string> resolutionsOf(const std::vector<curve>& curves)
@@ -101,7 +91,8 @@ public:
             parts_ += fmt::format
             (
                 ", \\\n  keyentry with points pt {} lc rgb '#555555' title {}",
-                marks[i % nMarks], quoted(resolutionName + " " + labels_[i])
+                marks[i % nMarks],
+                gnuplotText(resolutionName + " " + labels_[i])
             );
         }
     }
@@ -181,7 +172,7 @@ private:
                 ", \\\n  {0} using 1:2:5 with points pt variable ps 1 "
                 "lc rgb '{2}' notitle",
                 name, c.compared || i >= nColours ? 2 : 1, colour,
-                quoted(c.name)
+                gnuplotText(c.name)
             );
         }
     }
@@ -211,7 +202,7 @@ std::string gnuplotOf
         "{}set logscale xy\nset format xy '10^{{%L}}'\nset grid lt 1 "
         "lc rgb '#eeeeee'\nset key outside right top samplen 2 spacing 1.2\n"
         "set title {}\nset xlabel {}\nset ylabel {}\n",
-        s.data(), quoted(title), quoted(xLabel), quoted(yLabel)
+        s.data(), gnuplotText(title), gnuplotText(xLabel), gnuplotText(yLabel)
     );
     const char* terminals[][2] =
     {

@@ -30,10 +30,10 @@ studyLock::studyLock(const std::filesystem::path& directory)
     throw userError
     (
         number == EWOULDBLOCK
-          ? std::string("Another errorVsRunTime runs this study")
+          ? std::string("Another program runs this study")
           : std::string("Cannot lock: ") + std::strerror(number),
         {path.string()},
-        "Wait for it, or give the studyDict a directory of its own; "
+        "Wait for it, or give its dictionary a directory of its own; "
         "-tableOnly reads what is there."
     );
 }

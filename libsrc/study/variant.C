@@ -23,7 +23,7 @@ std::string plain(std::string text)
 }
 
 
-variant make(const studyDict& s, const std::vector<std::size_t>& choice)
+variant make(const variantSet& s, const std::vector<std::size_t>& choice)
 {
     variant v;
     v.choice = choice;
@@ -58,7 +58,7 @@ variant make(const studyDict& s, const std::vector<std::size_t>& choice)
 }
 
 
-bool skipped(const studyDict& s, const std::vector<std::size_t>& choice)
+bool skipped(const variantSet& s, const std::vector<std::size_t>& choice)
 {
     return std::any_of(s.skip.begin(), s.skip.end(), [&](const auto& rule)
     {
@@ -78,7 +78,7 @@ bool skipped(const studyDict& s, const std::vector<std::size_t>& choice)
 
 
 //- The next combination; false after the last
-bool advance(const studyDict& s, std::vector<std::size_t>& choice)
+bool advance(const variantSet& s, std::vector<std::size_t>& choice)
 {
     std::vector<std::size_t> order{s.resolution};
     for (std::size_t i = choice.size(); i-- > 0;)
@@ -102,7 +102,7 @@ bool advance(const studyDict& s, std::vector<std::size_t>& choice)
 } // namespace
 
 
-std::vector<variant::change> variant::changes(const studyDict& s) const
+std::vector<variant::change> variant::changes(const variantSet& s) const
 {
     std::vector<change> all;
     for (std::size_t i = 0; i < choice.size(); ++i)
@@ -121,7 +121,7 @@ std::vector<variant::change> variant::changes(const studyDict& s) const
 }
 
 
-std::vector<std::string> variant::environment(const studyDict& s) const
+std::vector<std::string> variant::environment(const variantSet& s) const
 {
     std::vector<std::string> settings;
     for (std::size_t i = 0; i < choice.size(); ++i)
@@ -133,7 +133,7 @@ std::vector<std::string> variant::environment(const studyDict& s) const
 }
 
 
-std::vector<variant> allVariants(const studyDict& s)
+std::vector<variant> allVariants(const variantSet& s)
 {
     std::vector<variant> list;
     std::vector<std::size_t> choice(s.parameters.size(), 0);

@@ -47,7 +47,7 @@ fails "Give one of them" "$run $error parameters { $h }" -force -tableOnly
 mkdir -p "$work/pulse/study"
 exec 9> "$work/pulse/study/.lock"
 flock 9
-fails "Another errorVsRunTime" "$run $error parameters { $h }"
+fails "Another program" "$run $error parameters { $h }"
 exec 9>&-
 fails "Invalid option" "$run $error parameters { $h }" -comparison x
 

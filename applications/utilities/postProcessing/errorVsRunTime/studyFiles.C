@@ -2,8 +2,8 @@
 
 #include "base/log.H"
 #include "case/caseFileIO.H"
-#include "study/commandRun.H"
 #include "study/comparison.H"
+#include "study/gnuplot.H"
 #include "study/picture.H"
 #include "study/report.H"
 
@@ -27,32 +27,6 @@ void markFront(std::vector<curve>& own, std::vector<curve>& compared)
     markPareto(all, own.front().points.front().run.machine);
     std::copy_n(all.begin(), own.size(), own.begin());
     std::copy(all.begin() + own.size(), all.end(), compared.begin());
-}
-
-
-void paint(const fs::path& directory)
-{
-    const fs::path log = directory/"log.gnuplot";
-    const commandOutcome painted = runCommands
-    (
-        directory, {std::string("gnuplot ") + stem + ".gp"}, {}, log, 60
-    );
-    if (painted.good())
-    {
-        info("Painted {0}.svg and {0}.png", (directory/stem).string());
-    }
-    else if (painted.code == 127)
-    {
-        info
-        (
-            "gnuplot is not there: run it on {}.gp where it is",
-            (directory/stem).string()
-        );
-    }
-    else
-    {
-        warning("gnuplot failed: " + log.string());
-    }
 }
 
 } // namespace
@@ -103,7 +77,7 @@ void writeStudyFiles
         )
     );
     info("\n{}", table);
-    paint(directory);
+    paint(directory, stem);
 }
 
 } // namespace gpuFsi
