@@ -120,7 +120,7 @@ scene vortices(int dimensions)
 {
     scene s{};
     s.space = periodicBox(dimensions == 3 ? 24 : 60, dimensions, 1);
-    s.fluid = publishedFluid(1e-3);
+    s.fluid = publishedFluid(0.05);
     s.fluid.c = 5;
     s.schemes = defaultSchemes(s.space);
     s.state = vortexState(s.space, 1, 0.2);
@@ -303,6 +303,7 @@ TEST(cuda, storedAnewAgreesWithCpuAndWithItself)
             }
             const hostState kept = run(s, "cuda", "double");
             s.schemes.sortDistance = 0.4;
+            s.schemes.sortWear = 0;
             long sorts = 0, sortsCpu = 0;
             const hostState a = run(s, "cuda", "double", &sorts);
             const hostState b = run(s, "cpu", "double", &sortsCpu);
@@ -320,6 +321,7 @@ TEST(cuda, storedAnewBesideMovingWallsKeepsTheBytes)
     NEEDS_GPU;
     scene s = piston(particleSchemes::search::cellSearch);
     s.schemes.sortDistance = 0.01;
+    s.schemes.sortWear = 0;
     long sorts = 0;
     const hostState a = run(s, "cuda", "double", &sorts);
     EXPECT_GE(sorts, 1);
