@@ -3,6 +3,9 @@
 #include "limits/stencil.H"
 #include "limits/smallMatrix.H"
 
+#include "stepping/latticeViscosity.H"
+#include "stepping/rkl2.H"
+
 #include <cmath>
 
 namespace gpuFsi
@@ -128,6 +131,23 @@ smallMatrix amplification
       ? euler : euler.plus(0.5, all*all);
 }
 
+//- In half a step
+int stagesOf(const particleSchemes& schemes, int D, double diffusion)
+{
+    const auto even = latticeViscosity::of(D, schemes.weightExponent);
+    return rkl2::stagesFor(diffusion/even.limit());
+}
+
+smallMatrix viscosityAlone(int D, double factor)
+{
+    smallMatrix m = smallMatrix::identity(D + 1);
+    for (int i = 1; i <= D; ++i)
+    {
+        m.a[i][i] = factor;
+    }
+    return m;
+}
+
 } // namespace
 
 
@@ -141,6 +161,10 @@ double logAmplification
 {
     const stencil all = latticeStencil(schemes, dimensions);
     const int deep = dimensions == 3 ? waves : 0;
+    const double half = 0.5*step.diffusion;
+    const bool split = schemes.superSteps && half > 0;
+    const int stages = split ? stagesOf(schemes, dimensions, half) : 0;
+    const stepNumbers own{step.acoustic, split ? 0 : step.diffusion};
     double most = 0;
     for (int i = 0; i <= waves; ++i)
     for (int j = 0; j <= i; ++j)
@@ -152,11 +176,17 @@ double logAmplification
         };
         const symbols s = symbolsOf(all, schemes, k);
         const changes m =
-            changesOf(s, dimensions, schemes.dissipation, step);
-        most = std::max
-        (
-            most, amplification(m, schemes.time).logSpectralRadius()
-        );
+            changesOf(s, dimensions, schemes.dissipation, own);
+        smallMatrix all = amplification(m, schemes.time);
+        if (split)
+        {
+            const smallMatrix v = viscosityAlone
+            (
+                dimensions, rkl2::factor(stages, -half*s.laplacian)
+            );
+            all = v*all*v;
+        }
+        most = std::max(most, all.logSpectralRadius());
     }
     return most;
 }

@@ -1,5 +1,8 @@
 #include "limits/stepLimits.H"
 
+#include "limits/wallRows.H"
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,6 +11,38 @@ namespace gpuFsi
 
 static constexpr double infinite = std::numeric_limits<double>::infinity();
 
+//- Logarithm of what a step makes of a wave that viscosity slows, z = dt
+//  times its rate
+static double viscousGrowth(particleSchemes::timeScheme scheme, double z)
+{
+    const double factor = scheme == particleSchemes::timeScheme::RK2
+      ? 1 - z + 0.5*z*z : 1 - z;
+    return std::log(std::abs(factor));
+}
+
+
+//- Where rows beside walls are stiffer than those between
+static double growthBesideWalls
+(
+    const particleSchemes& schemes,
+    const flowScales& s,
+    double diffusion
+)
+{
+    // Displaced particles stand nearer here and there, no whole row does
+    constexpr double least = 0.5;
+    const bool none = s.wallGap == 0 || s.wallGap >= 1 || diffusion == 0;
+    return none || schemes.superSteps ? 0 : viscousGrowth
+    (
+        schemes.time,
+        diffusion*wallRowsRate
+        (
+            schemes, s.dimensions, std::max(least, s.wallGap)
+        )
+    );
+}
+
+
 double growthOf
 (
     const particleSchemes& schemes,
@@ -15,9 +50,11 @@ double growthOf
     double dt
 )
 {
-    return logAmplification
+    const stepNumbers step{s.c*dt/s.h, s.nu*dt/(s.h*s.h)};
+    return std::max
     (
-        schemes, s.dimensions, {s.c*dt/s.h, s.nu*dt/(s.h*s.h)}
+        logAmplification(schemes, s.dimensions, step),
+        growthBesideWalls(schemes, s, step.diffusion)
     );
 }
 
@@ -66,7 +103,7 @@ double viscousLimit
 {
     flowScales still = s;
     still.c = 0;
-    return s.nu > 0
+    return s.nu > 0 && !schemes.superSteps
       ? bisect(schemes, still, beyond.diffusion*s.h*s.h/s.nu, growth)
       : infinite;
 }

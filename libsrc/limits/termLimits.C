@@ -25,6 +25,15 @@ std::vector<termLimit> plainLimits(const caseScales& s)
             "coupling",
             f.c > 0 && s.solid.massPerArea < infinite
           ? couplingLimit(f.h, f.c, s.rho, s.solid.massPerArea) : infinite
+        },
+        {
+            "viscousCoupling",
+            f.nu > 0 && s.solid.massPerArea < infinite
+          ? viscousCouplingLimit
+            (
+                f.h, s.rho*f.nu, s.rho, s.solid.massPerArea
+            )
+          : infinite
         }
     };
 }

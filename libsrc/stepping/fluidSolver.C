@@ -63,6 +63,17 @@ static void checkCoupling
             "surface' in constant/couplingProperties."
         );
     }
+    if (solids && solids->coupling.force == law::reaction && schemes.superSteps)
+    {
+        throw userError
+        (
+            "The solids are to feel the reaction of the fluid's forces, which "
+            "super-steps of viscosity do not tell",
+            {},
+            "Set 'superTimeStepping off' in system/particleSchemes, or 'force "
+            "surface' in constant/couplingProperties."
+        );
+    }
 }
 
 

@@ -34,6 +34,14 @@ static void readAccuracy(const dictionary& dict, int D, particleSchemes& s)
       : time == "RK2" ? schemes::timeScheme::RK2
       : schemes::timeScheme::symplecticEuler;
 
+    const std::string super = dict.getChoiceOrDefault
+    (
+        "superTimeStepping", "auto", {"auto", "on", "off"}
+    );
+    s.superTimeStepping = super == "on" ? schemes::superStepping::on
+      : super == "off" ? schemes::superStepping::off
+      : schemes::superStepping::automatic;
+
     if (s.faces == schemes::face::hermite)
     {
         s.laplacianFactor =
@@ -59,6 +67,8 @@ static void refuseWithRadial(const dictionary& dict, const particleSchemes& s)
     const char* key = s.faces == schemes::face::hermite ? "faces"
       : s.dissipation > 0 ? "dissipation"
       : s.shifting > 0 ? "shifting"
+      : s.superTimeStepping == schemes::superStepping::on
+      ? "superTimeStepping"
       : s.time != schemes::timeScheme::Euler ? "timeScheme" : nullptr;
     if (key)
     {
@@ -71,6 +81,32 @@ static void refuseWithRadial(const dictionary& dict, const particleSchemes& s)
             ),
             dict.where(key),
             "Set 'areaWeights moment', or leave the entry out."
+        );
+    }
+}
+
+
+static void refuseWithGradients
+(
+    const dictionary& dict,
+    const particleSchemes& s
+)
+{
+    if
+    (
+        s.superTimeStepping == particleSchemes::superStepping::on
+     && !s.canSuperStep()
+    )
+    {
+        throw userError
+        (
+            fmt::format
+            (
+                "superTimeStepping is on, but laplacianFactor is {:g}, which "
+                "needs gradients in every stage", s.laplacianFactor
+            ),
+            dict.where("superTimeStepping"),
+            "Set 'laplacianFactor 1', or 'superTimeStepping off'."
         );
     }
 }
@@ -92,6 +128,7 @@ particleSchemes particleSchemes::read
         dictionary::fromFile(casePath/"system"/"particleSchemes");
     readAccuracy(dict, d.dimensions, s);
     refuseWithRadial(dict, s);
+    refuseWithGradients(dict, s);
 
     s.searchRadius = d.spacing*defaultSearchRadius(d.dimensions);
     if (const dictionary* n = dict.subDictPtr("neighbours"))
@@ -147,6 +184,10 @@ std::string particleSchemes::describe() const
     if (dissipation > 0)
     {
         text += fmt::format(", dissipation {:g}", dissipation);
+    }
+    if (superSteps)
+    {
+        text += ", superTimeStepping RKL2";
     }
     if (shifting > 0)
     {

@@ -30,7 +30,11 @@ void sortFluid
 )
 {
     terms.sort(true, "pressure");
-    terms.sort(properties.mu > 0, "viscosity");
+    terms.sort
+    (
+        properties.mu > 0,
+        schemes.superSteps ? "viscosity in super-steps" : "viscosity"
+    );
     const bodyForce& g = properties.g;
     terms.sort(g.acts(), g.varies() ? "body force in time" : "gravity");
     terms.sort(!d.walls.empty(), "walls");

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <fmt/format.h>
 #include <numeric>
+#include <parallel/algorithm>
 
 namespace gpuFsi
 {
@@ -37,8 +38,9 @@ std::vector<int> storageOrder(const hostState& s, const domain& d)
     {
         keys.emplace_back(keyOf(s.fluid.positions[i], d), int(nWalls + i));
     }
-    std::sort(keys.begin(), keys.begin() + nWalls);
-    std::sort(keys.begin() + nWalls, keys.end());
+    // No two are equal: the order is that of any sort
+    __gnu_parallel::sort(keys.begin(), keys.begin() + nWalls);
+    __gnu_parallel::sort(keys.begin() + nWalls, keys.end());
 
     std::vector<int> order(keys.size());
     for (std::size_t i = 0; i < order.size(); ++i)

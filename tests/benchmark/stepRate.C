@@ -114,7 +114,8 @@ std::unique_ptr<fluidSolver> run(const scene& s, const request& r)
         measure(*solver, made.deltaT(), r.rounds, r.steps, plain.get());
     printRow
     (
-        s, *solver, cost, countedBytes(made.schemes, s.D, r.precision),
+        s, *solver, cost,
+        countedBytes(made.schemes, s.D, r.precision, useCuda(r.backend)),
         r.copyRate
     );
     return solver;

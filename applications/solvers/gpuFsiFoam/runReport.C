@@ -111,6 +111,10 @@ void runReport::printStep(const flowMonitor& m, const std::string& limiting)
     if (!limiting.empty())
     {
         gpuFsi::info("Time step limited by {}", limiting);
+        if (const int n = solver_.viscousStages(time_.deltaT()); n > 0)
+        {
+            gpuFsi::info("Viscosity in {} stages a half step", n);
+        }
     }
     gpuFsi::info("Time = {}", time_.timeName());
     gpuFsi::info("Max speed = {:.6g}  Rate = {:.4g} MIPPS  "

@@ -44,6 +44,10 @@ public:
         {
             functions_.dropLedgers();
         }
+        if (!controls_.allowUnstable)
+        {
+            solver_.watchEnergy();
+        }
         if (functions_.needsLedger())
         {
             solver_.keepLedger();
@@ -51,7 +55,11 @@ public:
         startFunctions();
         while (time_.run())
         {
-            stepping_.adjust([&] { return solver_.monitor(); });
+            stepping_.adjust([&]
+            {
+                return fluid_.eos == fluidProperties::state::Tait
+                  ? solver_.monitorDensity() : solver_.monitor();
+            });
             const double before = time_.value();
             ++time_;
             solver_.step(before, time_.deltaT());
@@ -242,8 +250,9 @@ void runSteps
             {},
             fmt::format
             (
-                "That state is in the folder {}. Use a smaller deltaT or more "
-                "viscosity; the last time folder is intact.", folder
+                "{} That state is in the folder {}. Use a smaller deltaT or "
+                "more viscosity; the last time folder is intact.",
+                stepping.tellShortest(e.speed), folder
             )
         );
     }

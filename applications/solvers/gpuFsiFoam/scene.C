@@ -4,6 +4,7 @@
 #include "base/log.H"
 #include "decomposition/decomposeParDict.H"
 #include "decomposition/processorDirectories.H"
+#include "limits/chooseSuperSteps.H"
 #include "parallel/agreedError.H"
 #include "particles/stateIO.H"
 
@@ -109,6 +110,21 @@ void scene::read(const fs::path& casePath)
     fluid = fluidProperties::read(casePath, space);
     schemes = particleSchemes::read(casePath, space);
     solids = solidScene::read(casePath, space);
+    chooseSteps();
+}
+
+
+void scene::chooseSteps()
+{
+    if (space.hasFluid())
+    {
+        whySuperSteps = chooseSuperSteps
+        (
+            schemes, flowScalesOf(space, fluid),
+            time->adjustTimeStep()
+          ? std::nullopt : std::optional<double>(time->deltaT())
+        );
+    }
 }
 
 

@@ -1,6 +1,7 @@
 #include "stepControl.H"
 
 #include "base/log.H"
+#include "limits/chooseSuperSteps.H"
 #include "limits/solidScalesOf.H"
 
 #include <cmath>
@@ -34,14 +35,26 @@ static solidScales solidsOf
 }
 
 
+//- A restart must find it again where deltaT follows it: then the least that
+//  seeding gives walls that rest
+static double wallGapOf(const scene& s, fluidSolver& solver)
+{
+    constexpr double seeded = 0.5;
+    return solver.nWalls() == 0 || s.fluid.mu == 0 ? 0
+      : s.time->adjustTimeStep() ? seeded : solver.wallGap();
+}
+
+
 stepControl::stepControl
 (
     const scene& s,
-    const fluidSolver& solver,
+    fluidSolver& solver,
     const communicator& ranks
 )
 :
     time_(*s.time),
+    solver_(solver),
+    whySuperSteps_(s.whySuperSteps),
     controls_(*s.controls),
     fluid_(s.fluid),
     schemes_(s.schemes),
@@ -49,13 +62,23 @@ stepControl::stepControl
     viscous_{"viscous", infinite}
 {
     const bool fluid = s.space.hasFluid();
-    scales_.flow =
-    {
-        s.space.dimensions, s.space.spacing, fluid ? s.fluid.c : 0,
-        fluid ? s.fluid.mu/s.fluid.rho0 : 0
-    };
+    scales_.flow = fluid ? flowScalesOf(s.space, s.fluid)
+      : flowScales{s.space.dimensions, s.space.spacing, 0, 0};
+    scales_.flow.wallGap = fluid ? wallGapOf(s, solver) : 0;
     scales_.rho = s.fluid.rho0;
     scales_.solid = solidsOf(s, solver, ranks);
+}
+
+
+//- Where the fluid is densest, m/s
+double stepControl::soundSpeed(const flowMonitor& m) const
+{
+    return fluid_.eos == fluidProperties::state::Tait && m.maxDeltaRho > 0
+      ? fluid_.c*std::pow
+        (
+            1 + m.maxDeltaRho/fluid_.rho0, 0.5*(fluid_.gamma - 1)
+        )
+      : fluid_.c;
 }
 
 
@@ -65,6 +88,7 @@ caseScales stepControl::scalesOf(const flowMonitor& m) const
     if (s.flow.c > 0)
     {
         const vector g = fluid_.g.at(time_.value());
+        s.flow.c = soundSpeed(m);
         s.relativeSpeed = m.maxRelativeSpeed;
         s.force = std::sqrt(dot(g, g));
     }
@@ -96,10 +120,27 @@ std::string stepControl::describe
 }
 
 
+//- With adjustTimeStep their number follows deltaT
+void stepControl::tellOfSuperSteps() const
+{
+    if (const int n = solver_.viscousStages(time_.deltaT()); n > 0)
+    {
+        info
+        (
+            "Viscosity: {}: RKL2, {}\n", whySuperSteps_,
+            time_.adjustTimeStep()
+          ? "as many stages as deltaT needs"
+          : fmt::format("{} stages in each half of a step", n)
+        );
+    }
+}
+
+
 void stepControl::start(const flowMonitor& m)
 {
     if (time_.adjustTimeStep())
     {
+        tellOfSuperSteps();
         if (wanted(m).deltaT == infinite)
         {
             throw userError
@@ -113,6 +154,7 @@ void stepControl::start(const flowMonitor& m)
         }
         return;
     }
+    tellOfSuperSteps();
     checked_ = time_.deltaT();
     const caseScales scales = scalesOf(m);
     const auto beyond = exceeded(schemes_, scales, checked_, fastGrowth);
@@ -158,19 +200,40 @@ termLimit stepControl::wanted(const flowMonitor& m) const
         });
         limits.push_back
         ({
-            "maxDi", f.nu > 0 ? controls_.maxDi*f.h*f.h/f.nu : infinite
+            "maxDi", f.nu > 0 && !schemes_.superSteps
+          ? controls_.maxDi*f.h*f.h/f.nu : infinite
         });
     }
     return shortest(limits);
 }
 
 
+//- A search is dear: limits are searched for speeds of sound 2% apart. Between
+//  them they fall with the square, as where viscosity alone damps.
+void stepControl::followSound(double c)
+{
+    constexpr double apart = 1.02;
+    flowScales flow = scales_.flow;
+    flow.c *= std::pow
+    (
+        apart, std::floor(std::log(c/flow.c)/std::log(apart) + 1e-9)
+    );
+    if (searchedC_ != flow.c)
+    {
+        searchedC_ = flow.c;
+        searchedLimit_ = acousticLimit(schemes_, flow);
+        viscous_.deltaT = viscousLimit(schemes_, flow);
+    }
+    const double ratio = searchedC_/c;
+    acoustic_.deltaT = searchedLimit_*ratio*ratio;
+}
+
+
 void stepControl::follow(const flowMonitor& m)
 {
-    if (acoustic_.deltaT == infinite && scales_.flow.c > 0)
+    if (scales_.flow.c > 0)
     {
-        acoustic_.deltaT = acousticLimit(schemes_, scales_.flow);
-        viscous_.deltaT = viscousLimit(schemes_, scales_.flow);
+        followSound(soundSpeed(m));
     }
     const termLimit next = wanted(m);
     if (next.deltaT == infinite)
@@ -179,6 +242,21 @@ void stepControl::follow(const flowMonitor& m)
     }
     limiting_ = next.term;
     time_.adjustDeltaT(time_.maxCo()*time_.deltaT()/next.deltaT);
+}
+
+
+std::string stepControl::tellShortest(double speed) const
+{
+    flowMonitor m;
+    m.maxRelativeSpeed = speed;
+    const termLimit least = shortest(termLimits(schemes_, scalesOf(m)));
+    return fmt::format
+    (
+        "deltaT {:.6g} s is {} the shortest limit of an even lattice, the {} "
+        "one, {:.6g} s.", time_.deltaT(),
+        time_.deltaT() > least.deltaT ? "beyond" : "within",
+        least.term, least.deltaT
+    );
 }
 
 

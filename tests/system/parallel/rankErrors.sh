@@ -103,6 +103,14 @@ echo "allowUnstable yes;" >> "$work/breaks/system/controlDict"
 setEntry breaks/system/controlDict endTime 5
 fails breaks 3 "broke down"
 
+# One whose energy comes from nowhere: all ranks stop, finite
+case3 driven
+setEntry driven/system/controlDict deltaT 0.0002
+setEntry driven/system/controlDict endTime 5
+setEntry driven/system/controlDict writeInterval 100000
+setEntry driven/system/particleSchemes timeScheme Euler
+fails driven 3 "the fluid's kinetic energy is"
+
 # Times that not all have are not restarted from
 case3 incomplete
 onRanks incomplete 3 || exit 1

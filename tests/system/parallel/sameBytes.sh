@@ -70,6 +70,26 @@ seedAndRun turning
 sameOn turning 3 hilbert "$every"
 sameOn turning 4 simple
 
+# Viscosity in super-steps beside walls that turn, walls that slip, a solid
+copyCase taylorCouette stiff
+shorten stiff 30 15
+setEntry stiff/constant/fluidProperties mu 5
+echo 'superTimeStepping on;' >> "$work/stiff/system/particleSchemes"
+seedAndRun stiff
+sameOn stiff 3 hilbert "$every"
+sameOn stiff 4 simple
+for case in cylinderModes springPiston
+do
+    copyCase $case stiff$case
+    sed -i '/^    energy$/,/^    }/d' "$work/stiff$case/system/controlDict"
+    shorten stiff$case 40 20
+    setEntry stiff$case/constant/fluidProperties nu 0.5
+    echo 'superTimeStepping on;' >> "$work/stiff$case/system/particleSchemes"
+    seedAndRun stiff$case
+    sameOn stiff$case 2 simple
+    sameOn stiff$case 3 hilbert "$every"
+done
+
 copyCase springPiston piston
 shorten piston 100 50
 seedAndRun piston

@@ -118,6 +118,29 @@ TEST(restart, turningWall)
 }
 
 
+TEST(restart, superSteps)
+{
+    systemCase c = systemCase::piston();
+    c.set(control, "endTime", "0.3");
+    c.set("constant/fluidProperties", "mu", "0.4");
+    c.set(control, "writeInterval", "4");
+    c.add(schemes, "areaWeights moment; timeScheme symplecticEuler;");
+    c.add("system/seedParticlesDict", "displace 0.1;");
+    c.seed();
+    for (const char* precision : {"single", "double"})
+    {
+        for (const char* more : {"", "adjustTimeStep yes; maxCo 0.4;"})
+        {
+            SCOPED_TRACE(std::string(precision) + ' ' + more);
+            systemCase run(c);
+            run.set(control, "precision", precision);
+            run.add(control, more);
+            expectSameFromEveryTime(run);
+        }
+    }
+}
+
+
 //- Every term that the published scheme does not have
 TEST(restart, momentWeights)
 {

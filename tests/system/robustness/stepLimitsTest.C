@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace
@@ -55,7 +56,10 @@ const std::vector<limited> fixedSteps
 {
     {"acoustic", [](systemCase& c) { c.set(control, "deltaT", "0.13"); }},
     {"viscous", [](systemCase& c)
-        { c.set("constant/fluidProperties", "mu", "0.4"); }},
+        {
+            c.set("constant/fluidProperties", "mu", "0.4");
+            c.add(schemes, "superTimeStepping off;");
+        }},
     {"convective", [](systemCase& c)
         {
             c.replace(seeds, "0.02*sin(8*pi*y)", "2*cos(2*pi*x)");
@@ -70,7 +74,17 @@ const std::vector<limited> fixedSteps
     {"coupling", [](systemCase& c)
         {
             elastic(c, "0.02", "0.07");
+            c.set("constant/fluidProperties", "mu", "0.0005");
             c.set(control, "deltaT", "0.015");
+            c.replace(seeds, "0.01*cos", "0.0001*cos");
+            c.replace(seeds, "0.1*sin", "0.0001*sin");
+            c.write("constant/wallProperties", "piston { type fixed; }\n");
+        }},
+    {"viscousCoupling", [](systemCase& c)
+        {
+            elastic(c, "0.02", "0.07");
+            c.set("constant/fluidProperties", "mu", "0.01");
+            c.set(control, "deltaT", "0.005");
             c.replace(seeds, "0.01*cos", "0.0001*cos");
             c.replace(seeds, "0.1*sin", "0.0001*sin");
             c.write("constant/wallProperties", "piston { type fixed; }\n");
@@ -150,6 +164,7 @@ TEST(stepLimits, usersOwnAreNamed)
     EXPECT_TRUE(c.run(app::gpuFsiFoam).says("limited by maxCo"));
     c.set("constant/fluidProperties", "mu", "0.4");
     c.add(control, "maxDi 0.01;");
+    c.add(schemes, "superTimeStepping off;");
     const outcome o = c.run(app::gpuFsiFoam);
     EXPECT_TRUE(o.says("limited by maxDi"));
 
@@ -225,4 +240,106 @@ TEST(stepLimits, nothingToFollow)
     EXPECT_EQ(o.code, 1);
     EXPECT_TRUE(o.says("adjustTimeStep has no limit to follow")) << o.err;
     EXPECT_EQ(c.run(app::checkParticles).code, 0);
+}
+
+
+//- Viscosity far stiffer than sound takes super-steps by itself
+TEST(stepLimits, superStepsWhereViscosityIsStiff)
+{
+    systemCase c = column([](systemCase& c)
+    {
+        c.set("constant/fluidProperties", "mu", "0.4");
+        c.set(control, "deltaT", "0.04");
+    });
+    const outcome o = c.run(app::gpuFsiFoam);
+    ASSERT_EQ(o.code, 0) << o.out << o.err;
+    EXPECT_TRUE(o.says("superTimeStepping RKL2"));
+
+    // 0.5 h^2/nu; half a step is 4.1 of them on a lattice, but walls are half a
+    // spacing away
+    EXPECT_TRUE(o.says("Viscosity: viscous limit 0.00488 s, acoustic "))
+        << o.out;
+    EXPECT_TRUE(o.says(": RKL2, 7 stages in each half of a step")) << o.out;
+    const outcome check = c.run(app::checkParticles);
+    EXPECT_EQ(check.code, 0) << check.out;
+    EXPECT_TRUE(check.says("Viscosity takes super-steps (RKL2): viscous"));
+
+    // As a limit that is followed
+    c.add(control, "adjustTimeStep yes; maxCo 0.9;");
+    const outcome followed = c.run(app::gpuFsiFoam);
+    ASSERT_EQ(followed.code, 0) << followed.out << followed.err;
+    EXPECT_TRUE(followed.says("as many stages as deltaT needs"));
+    EXPECT_TRUE(followed.says("limited by maxCo\nViscosity in "))
+        << followed.out;
+}
+
+
+TEST(stepLimits, superStepsOnlyWhereNeeded)
+{
+    const auto runs = [](const char* entry, const char* deltaT)
+    {
+        const systemCase c = column([&](systemCase& c)
+        {
+            c.set("constant/fluidProperties", "mu", "0.4");
+            c.set(control, "deltaT", deltaT);
+            c.set(control, "endTime", "0.01");
+            c.add(schemes, entry);
+        });
+        const outcome o = c.run(app::gpuFsiFoam);
+        EXPECT_EQ(o.code, 0) << o.err;
+        return o.says("RKL2");
+    };
+    EXPECT_FALSE(runs("", "0.002"));
+    EXPECT_FALSE(runs("superTimeStepping auto;", "0.002"));
+    EXPECT_TRUE(runs("superTimeStepping on;", "0.002"));
+}
+
+
+TEST(stepLimits, superStepsRefused)
+{
+    const auto refused = [](const char* entries, const char* words)
+    {
+        systemCase c = column([](systemCase&) {});
+        c.add(schemes, entries);
+        const outcome o = c.run(app::gpuFsiFoam);
+        EXPECT_EQ(o.code, 1);
+        EXPECT_TRUE(o.says(words)) << o.err;
+        EXPECT_TRUE(o.says(schemes)) << o.err;
+    };
+    refused("superTimeStepping maybe;", "auto");
+    refused
+    (
+        "areaWeights radial; timeScheme Euler; superTimeStepping on;",
+        "goes beyond the published scheme"
+    );
+    refused
+    (
+        "faces hermite; laplacianFactor 1.3; superTimeStepping on;",
+        "needs gradients in every stage"
+    );
+}
+
+
+//- Tait's speed of sound grows with the third power of density
+TEST(stepLimits, soundIsFollowedWhereItIsFastest)
+{
+    const auto first = [](const char* amplitude)
+    {
+        const systemCase c = column([&](systemCase& c)
+        {
+            c.replace(seeds, "0.01*cos", amplitude);
+            c.set(control, "endTime", "0.01");
+            c.add(control, "adjustTimeStep yes; maxCo 0.1; maxDi 0.5;");
+        });
+        const outcome o = c.run(app::gpuFsiFoam);
+        EXPECT_EQ(o.code, 0) << o.err;
+        const std::vector<double> steps = stepsIn(o.out);
+        return steps.empty() ? 0.0 : steps[0];
+    };
+    const double slow = first("0.0001*cos"), fast = first("0.4*cos");
+
+    // maxCo h/(c + U): the densest row is that beside the end
+    const double rho = 1 + 0.4*std::cos(0.0625*M_PI/2);
+    EXPECT_NEAR(slow*(1.1/0.1), 0.0625, 0.004);
+    EXPECT_NEAR(fast/slow, 1.1/(std::pow(rho, 3) + 0.1), 0.05);
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 namespace
@@ -203,4 +204,49 @@ TEST(breakdown, saysWhereAndKeepsTheStateAside)
         c.set(control, "endTime", "0.2");
         EXPECT_EQ(c.run(app::gpuFsiFoam).code, 0);
     }
+}
+
+
+//- Sound that Euler drives, slowly enough to be let through: stopped while all
+//  is finite, by energy that nothing gave
+TEST(breakdown, energyFromNowhereStopsTheRun)
+{
+    systemCase c = systemCase::pulse();
+    c.set(control, "deltaT", "0.15");
+    c.set(control, "endTime", "1000");
+    c.set(control, "writeControl", "timeStep");
+    c.set(control, "writeInterval", "1000");
+    c.set("constant/fluidProperties", "mu", "0.001");
+    c.replace(control, "functions", "notUsed");
+    c.seed();
+    std::string said;
+    for (const char* threads : {"1", "3"})
+    {
+        const systemCase run(c);
+        const outcome o = run.run
+        (
+            app::gpuFsiFoam, {}, {std::string("OMP_NUM_THREADS=") + threads}
+        );
+        SCOPED_TRACE(o.err);
+        EXPECT_EQ(o.code, 1);
+        EXPECT_TRUE(o.says("the fluid's kinetic energy is "));
+        EXPECT_TRUE(o.says("beyond the shortest limit of an even lattice, the "
+            "acoustic one"));
+        EXPECT_TRUE(o.says("the last time folder is intact"));
+        const std::string time = between(o.err, "broke down at Time = ", ":");
+        const std::size_t id =
+            std::stoul(between(o.err, "fluid particle ", " at ("));
+        const double x = std::stod(between(o.err, " at (", " "));
+        const std::string fluid = "broken_" + time + "/lagrangian/fluid/";
+        EXPECT_NEAR(firstX(run, fluid + "positions", id), x, 1e-6);
+        const double rho = valueOf(run, fluid + "rho", id);
+        EXPECT_TRUE(rho > 0 && std::isfinite(rho)) << rho;
+        const std::string now = o.err.substr(o.err.find("broke down"));
+        EXPECT_TRUE(said.empty() || said == now) << said;
+        said = now;
+    }
+    // Whoever wants to see it all the same
+    c.add(control, "allowUnstable yes;");
+    const outcome o = c.run(app::gpuFsiFoam);
+    EXPECT_FALSE(o.says("the fluid's kinetic energy is "));
 }

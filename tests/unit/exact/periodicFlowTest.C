@@ -154,3 +154,28 @@ TEST(ABC, hasUnitRmsSpeedAndZeroMeanDensityByDefault)
     EXPECT_NEAR(square/points.size(), 1, 1e-13);
     EXPECT_NEAR(density/points.size(), 0, 1e-15);
 }
+
+
+//- U_t = nu U_xx, from the values at (0.1 0.2 0), and no other component
+TEST(periodicFlow, shearWaveSolvesTheHeatEquation)
+{
+    const dictionary dict = dictionary::fromString
+    (
+        "length 2; speed 0.7; origin (0.3 0 0);", "test"
+    );
+    const auto s = make("shearWave", dict, 2);
+    EXPECT_TRUE(s->has("U"));
+    EXPECT_FALSE(s->has("deltaRho"));
+    const auto U = [&](double x, double t)
+    {
+        return s->vectors("U", {{x, 0.2, 0}}, t)[0];
+    };
+    const double e = 1e-3, x = 0.1, t = 0.4;
+    const double rate = (U(x, t + e).y - U(x, t - e).y)/(2*e);
+    const double curve =
+        (U(x + e, t).y - 2*U(x, t).y + U(x - e, t).y)/(e*e);
+    EXPECT_NEAR(rate, 0.03*curve, 1e-6);
+    EXPECT_NEAR(U(0.8, 0).y, 0.7, 1e-14);
+    EXPECT_EQ(U(x, t).x, 0);
+    EXPECT_EQ(U(x, t).z, 0);
+}

@@ -24,6 +24,7 @@ struct scene
     double c;           // m/s; h is 1 m
     double nu;          // m^2/s
     int dimensions = 2;
+    bool superSteps = false;
 };
 
 domain boxOf(const scene& s, int side)
@@ -42,6 +43,7 @@ particleSchemes schemesOf(const scene& s, const domain& d)
     p.laplacianFactor = s.a > 0 ? s.a : 1;
     p.time = s.time;
     p.dissipation = s.beta;
+    p.superSteps = s.superSteps;
     return p;
 }
 
@@ -170,6 +172,11 @@ TEST(limits, areThoseMeasured)
         {"symplectic hermite", 3, 1, timeScheme::symplecticEuler, 0.2, 1, 0},
         {"viscous too", 3, 1, timeScheme::symplecticEuler, 0.1, 1, 0.1},
         {"RK2 hermite", 1, 1, timeScheme::RK2, 0.2, 1, 0.01},
+        {"split symplectic", 1, 0, timeScheme::symplecticEuler, 0, 1, 5, 2,
+            true},
+        {"split hermite", 3, 1, timeScheme::symplecticEuler, 0.2, 1, 5, 2,
+            true},
+        {"split RK2", 1, 0, timeScheme::RK2, 0, 1, 20, 2, true},
     })
     {
         SCOPED_TRACE(s.name);

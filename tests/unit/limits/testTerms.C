@@ -65,6 +65,8 @@ TEST(terms, shortestIsNamed)
     s = still();
     s.solid.massPerArea = 1e-5;
     EXPECT_EQ(least(s), "coupling");
+    s.flow.nu = 1e-2;
+    EXPECT_EQ(least(s), "viscousCoupling");
 }
 
 
@@ -103,6 +105,20 @@ TEST(terms, plainOnes)
     EXPECT_EQ(convectiveLimit(0.1, 0), HUGE_VAL);
     EXPECT_EQ(bodyForceLimit(0.1, 0), HUGE_VAL);
     EXPECT_EQ(springLimit(0), HUGE_VAL);
+}
+
+
+//- Between kappa = 1 of a particle without mass and 2 of a heavy one
+TEST(terms, viscousCoupling)
+{
+    const double h = 0.2, mu = 5, rho = 3;
+    const auto kappa = [&](double mass)
+    {
+        return viscousCouplingLimit(h, mu, rho, mass)*mu/(0.5*h*mass);
+    };
+    EXPECT_NEAR(kappa(1e-6), 1, 1e-4);
+    EXPECT_NEAR(kappa(0.5*h*rho), 1.5, 1e-12);
+    EXPECT_NEAR(kappa(1e6), 2, 1e-4);
 }
 
 

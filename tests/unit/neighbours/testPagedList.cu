@@ -60,15 +60,19 @@ void comesBack(const scene& s)
     const Buffer<int, cudaBackend> whole(list);
     Buffer<int, cudaBackend> looped(list.size()), single(list.size());
     pagedList<cudaBackend, n> packed;
-    packed.start(s.size);
-    for (int first = 0; first < s.size; first += s.range)
+    do
     {
-        packed.pack
-        ({
-            whole.data() + first, std::size_t(s.size), first,
-            std::max(first, s.begin), std::min(first + s.range, s.size)
-        });
+        packed.start(s.size);
+        for (int first = 0; first < s.size; first += s.range)
+        {
+            packed.pack
+            ({
+                whole.data() + first, std::size_t(s.size), first,
+                std::max(first, s.begin), std::min(first + s.range, s.size)
+            });
+        }
     }
+    while (!packed.finish());
     forEachLane<cudaBackend, float>
     (
         s.begin, s.size,

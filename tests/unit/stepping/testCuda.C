@@ -215,6 +215,77 @@ TEST(cuda, areaWeightsBesideMovingAndSlipWallsAgree)
     }
 }
 
+TEST(cuda, superStepsAgree)
+{
+    NEEDS_GPU;
+    for (int D : {2, 3})
+    {
+        scene s = pulse(D, 0.2, 0.1);
+        s.fluid.mu = 20;
+        s.schemes.areaWeights = particleSchemes::weight::moment;
+        s.schemes.time = particleSchemes::timeScheme::symplecticEuler;
+        s.schemes.superSteps = true;
+        EXPECT_LT(difference(run(s, "cuda", "double"),
+            run(s, "cpu", "double")), 1e-12) << D;
+        EXPECT_TRUE(sameBytes(run(s, "cuda", "single"),
+            run(s, "cuda", "single")));
+    }
+    for (bool slip : {false, true})
+    {
+        scene s = piston(particleSchemes::search::cellSearch);
+        s.fluid.mu = 1;
+        s.fluid.slip = {slip, slip};
+        s.schemes.areaWeights = particleSchemes::weight::moment;
+        s.schemes.time = particleSchemes::timeScheme::symplecticEuler;
+        s.schemes.superSteps = true;
+        EXPECT_LT(difference(run(s, "cuda", "double"),
+            run(s, "cpu", "double")), 1e-12) << slip;
+    }
+}
+
+//- The same energy, and so the same step to stop at
+TEST(cuda, energyIsWatchedAlike)
+{
+    NEEDS_GPU;
+    scene s = pulse(2, 0, 0.1);
+    s.schemes.areaWeights = particleSchemes::weight::moment;
+    s.schemes.time = particleSchemes::timeScheme::RK2;
+    s.fluid.mu = 0;
+    s.dt = 0.8*s.space.spacing/s.fluid.c;
+    for (std::size_t i = 0; i < s.state.fluid.size(); ++i)
+    {
+        s.state.fluid.U[i] = {0.05*hashed(2*i), 0.05*hashed(2*i + 1), 0};
+    }
+    std::string said[2];
+    for (int cuda : {0, 1})
+    {
+        const auto solver = fluidSolver::make
+        (
+            cuda ? "cuda" : "cpu", "double", s.space, s.fluid, s.schemes,
+            s.state
+        );
+        solver->watchEnergy();
+        try
+        {
+            for (int k = 0; k < 5000; ++k)
+            {
+                solver->step(k*s.dt, s.dt);
+                if (solver->maintenanceDue())
+                {
+                    solver->maintain();
+                }
+            }
+        }
+        catch (const brokenState& e)
+        {
+            const std::string what = e.what();
+            said[cuda] = what.substr(0, what.find(" Fastest"));
+        }
+    }
+    EXPECT_NE(said[0].find("kinetic energy"), std::string::npos) << said[0];
+    EXPECT_EQ(said[0], said[1]);
+}
+
 TEST(cuda, storedAnewAgreesWithCpuAndWithItself)
 {
     NEEDS_GPU;

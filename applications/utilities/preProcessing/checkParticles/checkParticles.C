@@ -10,6 +10,7 @@
 #include "case/argList.H"
 #include "case/timeControls.H"
 #include "checks.H"
+#include "limits/chooseSuperSteps.H"
 #include "particles/stateIO.H"
 
 using namespace gpuFsi;
@@ -27,6 +28,14 @@ static checkedCase readCase(const std::filesystem::path& casePath)
     );
     c.deltaT = controls.deltaT;
     c.adjusts = controls.adjustTimeStep;
+    if (c.space.hasFluid())
+    {
+        c.whySuperSteps = chooseSuperSteps
+        (
+            c.schemes, flowScalesOf(c.space, c.fluid),
+            c.adjusts ? std::nullopt : std::optional<double>(c.deltaT)
+        );
+    }
     return c;
 }
 

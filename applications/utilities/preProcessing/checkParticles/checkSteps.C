@@ -42,7 +42,7 @@ void printRow
 {
     info
     (
-        "    {:<12}{:>12}{:>18}{:>12}    {}", term, number(limits[0]),
+        "    {:<16}{:>12}{:>18}{:>12}    {}", term, number(limits[0]),
         radial ? "" : number(limits[1]), radial ? "" : number(limits[2]), by
     );
 }
@@ -67,7 +67,7 @@ void printLocal
 {
     const bool radial =
         c.schemes.areaWeights == particleSchemes::weight::radial;
-    info("    {:<12}{:>12}{:>18}{:>12}    set by", "term", schemeNames[0],
+    info("    {:<16}{:>12}{:>18}{:>12}    set by", "term", schemeNames[0],
         radial ? "" : schemeNames[1], radial ? "" : schemeNames[2]);
     std::array<std::vector<termLimit>, 3> limits;
     for (std::size_t s = 0; s < limits.size(); ++s)
@@ -186,6 +186,13 @@ void checkSteps
     const solidScales solid = c.solids
       ? solidScalesOf(*c.solids, c.fluid, t.state, true) : solidScales{};
     printLocal(c, t, worst, solid);
+    if (!c.whySuperSteps.empty())
+    {
+        info
+        (
+            "    Viscosity takes super-steps (RKL2): {}", c.whySuperSteps
+        );
+    }
     if (c.solids)
     {
         tellOfSubSteps(c, solid);

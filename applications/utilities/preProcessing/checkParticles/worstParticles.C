@@ -114,7 +114,7 @@ void worstParticles::findFluid
     const stencilSums even =
         stencilSums::of(latticeStencil(c.schemes, c.space.dimensions));
     const double h = c.space.spacing;
-    double sound = 0, diffusion = 0, near = 0;
+    double sound = 0, diffusion = 0, near = 0, wall = HUGE_VAL;
     for (std::size_t i = 0; i < t.state.fluid.size(); ++i)
     {
         const std::vector<neighbourEntry> row = rows.of(i);
@@ -128,6 +128,10 @@ void worstParticles::findFluid
         {
             all.push_back({n.e, n.u});
             least = std::min(least, n.u);
+            if (std::size_t(n.id) < t.state.walls.size())
+            {
+                wall = std::min(wall, n.u);
+            }
         }
         weigh(all, c.schemes, c.space.dimensions);
         const stencilSums own = stencilSums::of(all);
@@ -159,6 +163,7 @@ void worstParticles::findFluid
             nearest_ = h*least;
         }
     }
+    lattice_.flow.wallGap = wall < HUGE_VAL ? wall : 0;
 }
 
 
