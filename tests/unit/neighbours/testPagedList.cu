@@ -22,18 +22,22 @@ struct readBack
     int size;
 
     template<class Lane>
-    FSI_HD void operator()(int i) const
+    FSI_HD void operator()(const typename Lane::index& i) const
     {
+        int found[n];
         int k = 0;
         forNeighbours<Lane, D, atOnce>(neighbours, i, [&](int j)
         {
-            looped[k*size + i] = j;
-            ++k;
+            found[k++] = j;
         });
-        for (int m = 0; m < n; ++m)
+        Lane::forLanes(i, [&](int p, int)
         {
-            single[m*size + i] = neighbours.at(m, i);
-        }
+            for (int m = 0; m < n; ++m)
+            {
+                looped[m*size + p] = found[m];
+                single[m*size + p] = neighbours.at(m, p);
+            }
+        });
     }
 };
 

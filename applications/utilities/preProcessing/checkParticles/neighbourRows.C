@@ -49,7 +49,7 @@ public:
         std::vector<neighbourEntry> row;
         for (int k = 0; k < nDirections(); ++k)
         {
-            const int j = list_.data()[k*list_.stride() + i];
+            const int j = list_.view().at(k, int(i));
             if (j != i)
             {
                 row.push_back(entry(i, j, k));
