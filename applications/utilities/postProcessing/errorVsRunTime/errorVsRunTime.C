@@ -1,14 +1,11 @@
 //- What accuracy costs: runs the variants of a case that system/studyDict
 //  lists, and writes a table and a picture of their error against run time.
 #include "base/log.H"
-#include "case/argList.H"
 #include "study/comparison.H"
 #include "study/machine.H"
-#include "study/studyLock.H"
 #include "study/studyRun.H"
+#include "study/variantOptions.H"
 #include "studyFiles.H"
-
-#include <optional>
 
 using namespace gpuFsi;
 namespace fs = std::filesystem;
@@ -36,35 +33,21 @@ static int errorVsRunTime(int argc, char** argv)
         argc,
         argv,
         "Run the variants of a case and tie their error to their run time.",
-        {
+        variantOptions::besides
+        ({
             {"dict", "file", "default: system/studyDict"},
             {"compare", "list", "directories of other studies, or csv files,"
-                " separated by commas: laid over"},
-            {"list", "", "name the variants and run nothing"},
-            {"tableOnly", "", "run nothing, take the results that are there"},
-            {"force", "", "run again what has been run"}
-        }
+                " separated by commas: laid over"}
+        })
     );
     printBanner(args.commandLine(), args.casePath().string());
-    const bool tableOnly = args.found("tableOnly");
-    if (tableOnly && args.found("force"))
-    {
-        throw userError
-        (
-            "-force throws away the results that -tableOnly takes", {},
-            "Give one of them."
-        );
-    }
+    variantOptions options(args);
     const studyDict study = studyDict::read
     (
         args.casePath(), args.getOrDefault("dict", "system/studyDict")
     );
-    if (args.found("list"))
+    if (options.lists(study))
     {
-        for (const variant& v : allVariants(study))
-        {
-            info("{}", v.name);
-        }
         return 0;
     }
     const std::vector<curve> compared =
@@ -72,20 +55,9 @@ static int errorVsRunTime(int argc, char** argv)
                               : std::vector<curve>();
     info("Machine     : {}", machineName());
     const fs::path directory = args.casePath()/study.directory;
-    std::optional<studyLock> lock;
-    if (!tableOnly)
-    {
-        lock.emplace(directory);
-    }
+    options.lock(directory);
     studyRun runs(study, args.casePath());
-    if (args.found("force"))
-    {
-        runs.forget();
-    }
-    if (!tableOnly)
-    {
-        runs.run();
-    }
+    options.carryOut(runs);
     const std::vector<curve> curves = runs.curves();
     writeStudyFiles(study, directory, curves, compared, runs.failures());
     if (!runs.failures().empty())

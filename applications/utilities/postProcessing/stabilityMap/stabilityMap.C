@@ -1,15 +1,13 @@
 //- What is stable: runs a case over the parameters that system/stabilityDict
 //  lists, tells how each run ended, and writes tables and a map of it.
 #include "base/log.H"
-#include "case/argList.H"
 #include "case/caseFileIO.H"
 #include "study/gnuplot.H"
 #include "study/stabilityReport.H"
 #include "study/stabilityRun.H"
-#include "study/studyLock.H"
+#include "study/variantOptions.H"
 
 #include <algorithm>
-#include <optional>
 
 using namespace gpuFsi;
 namespace fs = std::filesystem;
@@ -50,50 +48,25 @@ static int stabilityMap(int argc, char** argv)
         argc,
         argv,
         "Run a case over a grid of parameters and map what is stable.",
-        {
-            {"dict", "file", "default: system/stabilityDict"},
-            {"list", "", "name the variants and run nothing"},
-            {"tableOnly", "", "run nothing, take the results that are there"},
-            {"force", "", "run again what has been run"}
-        }
+        variantOptions::besides
+        ({
+            {"dict", "file", "default: system/stabilityDict"}
+        })
     );
     printBanner(args.commandLine(), args.casePath().string());
-    const bool tableOnly = args.found("tableOnly");
-    if (tableOnly && args.found("force"))
-    {
-        throw userError
-        (
-            "-force throws away the results that -tableOnly takes", {},
-            "Give one of them."
-        );
-    }
+    variantOptions options(args);
     const stabilityDict map = stabilityDict::read
     (
         args.casePath(), args.getOrDefault("dict", "system/stabilityDict")
     );
-    if (args.found("list"))
+    if (options.lists(map))
     {
-        for (const variant& v : allVariants(map))
-        {
-            info("{}", v.name);
-        }
         return 0;
     }
     const fs::path directory = args.casePath()/map.directory;
-    std::optional<studyLock> lock;
-    if (!tableOnly)
-    {
-        lock.emplace(directory);
-    }
+    options.lock(directory);
     stabilityRun runs(map, args.casePath());
-    if (args.found("force"))
-    {
-        runs.forget();
-    }
-    if (!tableOnly)
-    {
-        runs.run();
-    }
+    options.carryOut(runs);
     writeMap(map, directory, runs.results());
     if (runs.nBad() > 0)
     {
