@@ -23,6 +23,7 @@ struct request
     double displace;
     int refresh;           // steps; 0: where particles have moved
     int rounds, steps;
+    bool inviscid;
     bool ratio;
     double copyRate;       // bytes/s
 };
@@ -99,6 +100,7 @@ void printRow
 std::unique_ptr<fluidSolver> run(const scene& s, const request& r)
 {
     stepScene made(s.D, s.n, s.scheme, r.displace, s.solid);
+    made.fluid.mu = r.inviscid ? 0 : made.fluid.mu;
     if (r.refresh > 0)
     {
         made.schemes.update = particleSchemes::trigger::interval;
@@ -166,6 +168,7 @@ int stepRate(int argc, char** argv)
             {"displace", "SHARE", "random displacement in spacings"},
             {"refresh", "STEPS", "refresh neighbours every so many steps"},
             {"scheme", "WORD", "radial (default), moment, hermite, full, fullSymplectic"},
+            {"inviscid", "", "a fluid without viscosity"},
             {"solid", "", "an elastic block in the fluid"},
             {"table", "", "2-D, 3-D; radial, moment, full; without and with solid"},
             {"ratio", "", "beside a plain loop in the same run (backend cpu)"}
@@ -183,6 +186,7 @@ int stepRate(int argc, char** argv)
     r.refresh = number("refresh", "0");
     r.rounds = number("rounds", "3");
     r.steps = number("steps", "100");
+    r.inviscid = args.found("inviscid");
     r.ratio = args.found("ratio");
     if (r.ratio && useCuda(r.backend))
     {

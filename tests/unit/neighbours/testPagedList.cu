@@ -24,11 +24,17 @@ struct readBack
     template<class Lane>
     FSI_HD void operator()(const typename Lane::index& i) const
     {
+        // Particles whose neighbours are in another column read themselves
         int found[n];
+        for (int m = 0; m < n; ++m)
+        {
+            found[m] = i;
+        }
         int k = 0;
         forNeighbours<Lane, D, atOnce>(neighbours, i, [&](int j)
         {
-            found[k++] = j;
+            found[k] = j != i ? j : found[k];
+            k = k + 1 < n ? k + 1 : 0;
         });
         Lane::forLanes(i, [&](int p, int)
         {
