@@ -164,6 +164,7 @@ TEST(limits, areThoseMeasured)
     for (const scene& s : std::vector<scene>
     {
         {"radial", 0, 0, timeScheme::Euler, 0, 0, 1},
+        {"radial RK2", 0, 0, timeScheme::RK2, 0, 1, 0.05},
         {"moment", 1, 0, timeScheme::RK2, 0, 0, 1},
         {"steep", 3, 0, timeScheme::symplecticEuler, 0, 0, 1},
         {"hermite", 1, 4.0/3, timeScheme::RK2, 0, 0, 1},
@@ -232,6 +233,7 @@ TEST(limits, growthIsThatMeasured)
     {
         {"Euler", 1, 0, timeScheme::Euler, 0, 1, 0.1},
         {"RK2", 1, 0, timeScheme::RK2, 0, 1, 0},
+        {"radial RK2", 0, 0, timeScheme::RK2, 0, 1, 0},
     })
     {
         SCOPED_TRACE(s.name);
