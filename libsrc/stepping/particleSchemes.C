@@ -69,7 +69,8 @@ static void refuseWithRadial(const dictionary& dict, const particleSchemes& s)
       : s.shifting > 0 ? "shifting"
       : s.superTimeStepping == schemes::superStepping::on
       ? "superTimeStepping"
-      : s.time != schemes::timeScheme::Euler ? "timeScheme" : nullptr;
+      : s.time == schemes::timeScheme::symplecticEuler
+      ? "timeScheme" : nullptr;
     if (key)
     {
         throw userError

@@ -74,9 +74,10 @@ class script
 {
 public:
 
-    explicit script(const std::vector<curve>& curves)
+    script(const std::vector<curve>& curves, const std::string& title)
     :
         curves_(curves),
+        title_(title),
         labels_(resolutionsOf(curves))
     {}
 
@@ -150,6 +151,12 @@ private:
           ? 2 : marks[(found - labels_.begin()) % nMarks];
     }
 
+    //- A study's only curve has the title, which stands above, as its name
+    std::string legendOf(const curve& c) const
+    {
+        return !c.compared && c.name == title_ ? "this study" : c.name;
+    }
+
     void addCurves()
     {
         for (std::size_t i = 0; i < curves_.size(); ++i)
@@ -172,12 +179,13 @@ private:
                 ", \\\n  {0} using 1:2:5 with points pt variable ps 1 "
                 "lc rgb '{2}' notitle",
                 name, c.compared || i >= nColours ? 2 : 1, colour,
-                gnuplotText(c.name)
+                gnuplotText(legendOf(c))
             );
         }
     }
 
     const std::vector<curve>& curves_;
+    const std::string& title_;
     std::vector<std::string> labels_;
     std::string data_, parts_;
 };
@@ -195,7 +203,7 @@ std::string gnuplotOf
     const std::string& resolutionName
 )
 {
-    script s(curves);
+    script s(curves, title);
     s.compose(resolutionName);
     std::string text = fmt::format
     (

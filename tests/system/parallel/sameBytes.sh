@@ -39,6 +39,15 @@ do
     sameOn pulse 7 $scotch
 done
 
+# Two stages, each with messages of its own
+copyCase acousticPulse midpoint
+setEntry midpoint/system/seedParticlesDict spacing 1
+setEntry midpoint/system/particleSchemes timeScheme RK2
+shorten midpoint 20 10
+seedAndRun midpoint
+sameOn midpoint 3 hilbert
+sameOn midpoint 4 simple
+
 # A refresh, and with it a new decomposition, every 10 steps
 copyCase taylorGreen2D vortex
 setEntry vortex/system/resolution n 32

@@ -101,6 +101,20 @@ TEST(restart, movingWalls)
 }
 
 
+TEST(restart, movingWallsInSecondOrder)
+{
+    systemCase c = systemCase::piston();
+    c.set(control, "endTime", "0.3");
+    c.add(schemes, "areaWeights radial; timeScheme RK2;");
+    c.seed();
+    for (const char* precision : {"single", "double"})
+    {
+        c.set(control, "precision", precision);
+        expectSameFromEveryTime(c);
+    }
+}
+
+
 TEST(restart, turningWall)
 {
     systemCase c = quietPulse();

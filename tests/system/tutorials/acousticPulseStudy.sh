@@ -27,6 +27,12 @@ expect "error, radial" "$(column study 'radial Euler double' $h error)" \
     "<=" 0.0037
 expect "order, radial" "$(column study 'radial Euler double' $h order)" \
     ">=" 1.8
+expect "error, radial, second order in time" \
+    "$(column study 'radial RK2 double' $h error)" "<=" 0.0033
+expect "order, radial, second order in time" \
+    "$(column study 'radial RK2 double' $h order)" ">=" 1.9
+expect "error, moment, second order in time" \
+    "$(column study 'moment RK2 double' $h error)" "<=" 0.0032
 expect "error, Hermite" "$(column study 'Hermite RK2 double' $h error)" \
     "<=" 0.0001
 expect "order, Hermite" "$(column study 'Hermite RK2 double' $h order)" \

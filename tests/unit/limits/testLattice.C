@@ -159,11 +159,14 @@ double measured(const scene& s, int side, double high, double displace = 0)
 //     dissipation 0.2           1.79   1.77     1.76
 //     the same, hermite, q = 3  0.442  0.434    0.43
 //     RK2, hermite              0.69   0.68     0.68
+// (radial RK2 needs viscosity, as radial Euler does: of short waves the published
+// gradient and divergence point apart, which drives them whatever the time scheme)
 TEST(limits, areThoseMeasured)
 {
     for (const scene& s : std::vector<scene>
     {
         {"radial", 0, 0, timeScheme::Euler, 0, 0, 1},
+        {"radial RK2", 0, 0, timeScheme::RK2, 0, 1, 0.2},
         {"moment", 1, 0, timeScheme::RK2, 0, 0, 1},
         {"steep", 3, 0, timeScheme::symplecticEuler, 0, 0, 1},
         {"hermite", 1, 4.0/3, timeScheme::RK2, 0, 0, 1},

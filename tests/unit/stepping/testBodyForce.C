@@ -3,6 +3,7 @@
 
 #include "common/column.H"
 #include "common/fluids.H"
+#include "common/lattice.H"
 #include "exact/exactSolution.H"
 
 #include <gtest/gtest.h>
@@ -46,7 +47,7 @@ bool says(const std::string& value, const std::string& text)
     return false;
 }
 
-//- radial: the published scheme, which has Euler alone
+//- radial: the published operators, of Euler and RK2 alone
 particleSchemes schemes(const domain& d, scheme time, bool radial = false)
 {
     particleSchemes s = defaultSchemes(d);
@@ -161,6 +162,24 @@ TEST(bodyForce, swingsAnUnboundedFluid)
 }
 
 
+//- Over one step that of the middle
+TEST(bodyForce, swingsRadialInSecondOrder)
+{
+    const domain d = periodicBox(8, 2, 1);
+    fluidProperties fluid = publishedFluid(0.1);
+    fluid.g = force("value (0 \"0.01*cos(2*t)\" 0);");
+    const double dt = 0.05, t = 0.3;
+    const hostState end = march
+    (
+        d, fluid, schemes(d, scheme::RK2, true), latticeState(d, 0, 1), t, 1, dt
+    );
+    for (const vector& u : end.fluid.U)
+    {
+        EXPECT_NEAR(u.y, dt*0.01*std::cos(2*(t + 0.5*dt)), 1e-12);
+    }
+}
+
+
 //- One step is that of a steady force: the fluid's of the middle, the walls'
 //  hydrostatic density of the end
 TEST(bodyForce, oneStepIsThatOfASteadyForce)
@@ -235,4 +254,5 @@ TEST(bodyForce, swingsAChannelAsWomersleyHasIt)
         EXPECT_LT(errorOf(time, false), 0.01) << int(time);
     }
     EXPECT_LT(errorOf(scheme::Euler, true), 0.03);
+    EXPECT_LT(errorOf(scheme::RK2, true), 0.03);
 }

@@ -169,6 +169,32 @@ TEST(cuda, wallsAndBothSearchesAgree)
     }
 }
 
+TEST(cuda, radialRK2Agrees)
+{
+    NEEDS_GPU;
+    std::vector<scene> scenes;
+    for (double gamma : {0.0, 7.0, 1.4})
+    {
+        for (int D : {2, 3})
+        {
+            scenes.push_back(pulse(D, 0.1, 0.1));
+            scenes.back().fluid.eos = gamma > 0
+              ? fluidProperties::state::Tait
+              : fluidProperties::state::isothermal;
+            scenes.back().fluid.gamma = gamma;
+        }
+    }
+    scenes.push_back(piston(particleSchemes::search::cellSearch));
+    for (scene& s : scenes)
+    {
+        s.schemes.time = particleSchemes::timeScheme::RK2;
+        EXPECT_LT(difference(run(s, "cuda", "double"),
+            run(s, "cpu", "double")), 1e-12);
+        EXPECT_TRUE(sameBytes(run(s, "cuda", "single"),
+            run(s, "cuda", "single")));
+    }
+}
+
 TEST(cuda, everyAreaWeightSchemeAgrees)
 {
     NEEDS_GPU;

@@ -96,3 +96,15 @@ TEST(picture, holdsDataMarksAndFront)
     expectIn("$curve0 << EOD\n1 0.1 0.9 1.1 7\n9 0.01 8.1 9.9 5\nEOD", text);
     expectIn("$curve1 << EOD\n1 0.1 0.9 1.1 7\n9 0.01 8.1 9.9 2\nEOD", text);
 }
+
+
+//- A long name in the key takes the width from the picture
+TEST(picture, aLoneCurveIsNotNamedTwice)
+{
+    curve own = twoPoints();
+    own.name = "a long title";
+    const std::string text =
+        gnuplotOf({own}, "stem", own.name, "x", "y", "h");
+    expectIn("set title 'a long title'", text);
+    expectIn("title 'this study'", text);
+}

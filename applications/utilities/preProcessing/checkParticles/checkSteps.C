@@ -43,7 +43,7 @@ void printRow
     info
     (
         "    {:<16}{:>12}{:>18}{:>12}    {}", term, number(limits[0]),
-        radial ? "" : number(limits[1]), radial ? "" : number(limits[2]), by
+        radial ? "" : number(limits[1]), number(limits[2]), by
     );
 }
 
@@ -68,7 +68,7 @@ void printLocal
     const bool radial =
         c.schemes.areaWeights == particleSchemes::weight::radial;
     info("    {:<16}{:>12}{:>18}{:>12}    set by", "term", schemeNames[0],
-        radial ? "" : schemeNames[1], radial ? "" : schemeNames[2]);
+        radial ? "" : schemeNames[1], schemeNames[2]);
     std::array<std::vector<termLimit>, 3> limits;
     for (std::size_t s = 0; s < limits.size(); ++s)
     {
