@@ -25,6 +25,7 @@ struct request
     int rounds, steps;
     bool inviscid;
     bool ratio;
+    bool captured;         // the solids' launches as one, on a GPU?
     double copyRate;       // bytes/s
 };
 
@@ -106,6 +107,10 @@ std::unique_ptr<fluidSolver> run(const scene& s, const request& r)
         made.schemes.update = particleSchemes::trigger::interval;
         made.schemes.interval = r.refresh;
     }
+    if (made.solids)
+    {
+        made.solids->properties.captured = r.captured;
+    }
     auto solver = made.solver(r.backend, r.precision);
     std::unique_ptr<plainStep> plain;
     if (r.ratio)
@@ -144,8 +149,9 @@ void runOne(const scene& s, const request& r)
 {
     printHead(r);
     const auto solver = run(s, r);
-    info("\n{}, {} precision; {} refreshes; seconds by stage:",
-        solver->device(), r.precision, solver->nRefreshes());
+    info("\n{}, {} precision; {} refreshes; {} steps of solids as one launch; "
+        "seconds by stage:", solver->device(), r.precision,
+        solver->nRefreshes(), solver->nReplays());
     const auto stages = solver->stageSeconds();
     for (std::size_t k = 0; k < stages.size(); ++k)
     {
@@ -170,6 +176,7 @@ int stepRate(int argc, char** argv)
             {"scheme", "WORD", "radial (default), moment, hermite, full, fullSymplectic"},
             {"inviscid", "", "a fluid without viscosity"},
             {"solid", "", "an elastic block in the fluid"},
+            {"loops", "", "launch the solids' loops one by one (backend cuda)"},
             {"table", "", "2-D, 3-D; radial, moment, full; without and with solid"},
             {"ratio", "", "beside a plain loop in the same run (backend cpu)"}
         },
@@ -188,6 +195,7 @@ int stepRate(int argc, char** argv)
     r.steps = number("steps", "100");
     r.inviscid = args.found("inviscid");
     r.ratio = args.found("ratio");
+    r.captured = !args.found("loops");
     if (r.ratio && useCuda(r.backend))
     {
         throw userError

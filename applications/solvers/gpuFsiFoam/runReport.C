@@ -152,6 +152,10 @@ void runReport::printEnd()
     {
         gpuFsi::info("Storage sorts = {}", solver_.nSorts());
     }
+    if (solver_.nReplays() > 0)
+    {
+        gpuFsi::info("Solid steps as one launch = {}", solver_.nReplays());
+    }
     if (const std::string sent = solver_.describeMessages(); !sent.empty())
     {
         gpuFsi::info("Messages: {}", sent);

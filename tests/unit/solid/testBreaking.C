@@ -1,12 +1,12 @@
 // Bonds that break: both ends alike, for good, without a force from nowhere.
 
 #include "blocks.H"
+#include "common/sameBytes.H"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 
 using namespace gpuFsi;
 
@@ -94,13 +94,6 @@ int reached(const springNetwork& net, const std::vector<bondMask>& broken)
         }
     }
     return int(list.size());
-}
-
-template<class T>
-bool sameBytes(const std::vector<T>& a, const std::vector<T>& b)
-{
-    return a.size() == b.size()
-     && std::memcmp(a.data(), b.data(), a.size()*sizeof(T)) == 0;
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // Solids that touch, against exact solutions.
 
+#include "common/sameBytes.H"
 #include "contactScene.H"
 
 #include <gtest/gtest.h>
@@ -256,13 +257,6 @@ struct meetingFromAfar
         return solver->download();
     }
 };
-
-
-bool sameBytes(const std::vector<vector>& a, const std::vector<vector>& b)
-{
-    return a.size() == b.size()
-     && std::memcmp(a.data(), b.data(), a.size()*sizeof(vector)) == 0;
-}
 
 
 //- y, m

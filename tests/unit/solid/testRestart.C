@@ -1,22 +1,14 @@
 // A run that starts again goes on to the same bytes.
 
+#include "common/sameBytes.H"
 #include "contactScene.H"
 
 #include <gtest/gtest.h>
-
-#include <cstring>
 
 using namespace gpuFsi;
 
 namespace
 {
-
-template<class T>
-bool sameBytes(const std::vector<T>& a, const std::vector<T>& b)
-{
-    return a.size() == b.size()
-     && std::memcmp(a.data(), b.data(), a.size()*sizeof(T)) == 0;
-}
 
 bool same(const hostSolid& a, const hostSolid& b)
 {
