@@ -52,6 +52,7 @@ public:
         {
             solver_.keepLedger();
         }
+        report_.startLoop();
         startFunctions();
         while (time_.run())
         {
