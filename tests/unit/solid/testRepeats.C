@@ -100,17 +100,6 @@ long replaysOf(const scene& s, int n)
     return one->replays();
 }
 
-solidState stateOf(const hostSolid& s)
-{
-    solidState state;
-    state.positions = s.positions;
-    state.U = s.U;
-    state.accelerations = s.accelerations;
-    state.load = s.load;
-    state.broken = s.broken;
-    return state;
-}
-
 class cudaRepeats
 :
     public testing::Test

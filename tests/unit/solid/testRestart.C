@@ -17,16 +17,6 @@ bool same(const hostSolid& a, const hostSolid& b)
      && sameBytes(a.load, b.load);
 }
 
-solidState stateOf(const hostSolid& s)
-{
-    solidState state;
-    state.positions = s.positions;
-    state.U = s.U;
-    state.accelerations = s.accelerations;
-    state.load = s.load;
-    return state;
-}
-
 //- Gravity, dashpots, a load, a driven part; ten steps, or five and five
 bool tenAreFiveAndFive(int D, const std::string& stepping)
 {
