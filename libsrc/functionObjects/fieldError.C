@@ -154,12 +154,17 @@ private:
         if (region_)
         {
             std::vector<vector> fromCentre;
+            fromCentre.reserve(set.size());
             for (const vector& p : set.positions)
             {
                 fromCentre.push_back(p - centre_);
             }
             inside = region_->at(fromCentre, info.time);
         }
+        const std::size_t most = s.points.size() + set.size();
+        s.points.reserve(most);
+        s.volume.reserve(most);
+        s.values.reserve(n*most);
         for (std::size_t i = 0; i < set.size(); ++i)
         {
             if (region_ && inside[i] == 0)

@@ -75,7 +75,12 @@ public:
     void writeInto(const std::filesystem::path& directory)
     {
         const auto pressure = [&](double rho) { return fluid_.pressure(rho); };
-        hostState s = state();
+        if (!ranks_.parallel())
+        {
+            writeState(directory, solver_.present(), pressure, time_.writing());
+            return;
+        }
+        hostState s = solver_.download();
         if (s.partial && !ranks_.master())
         {
             // Whole on every rank: one writes them
@@ -130,7 +135,7 @@ private:
     {
         const double begin = time_.clockSeconds();
         const runInfo figures = report_.info();
-        const hostState whole = wholeState();
+        const hostState& whole = wholeState();
         onMaster([&] { (functions_.*act)(whole, figures); });
         report_.addFunctionSeconds(time_.clockSeconds() - begin);
     }
@@ -182,18 +187,17 @@ private:
         });
     }
 
-    //- Of all ranks, on the master
-    hostState wholeState() const
+    //- Of all ranks, on the master; until the next call
+    const hostState& wholeState()
     {
-        hostState s = state();
-        return s.partial ? gatherState(ranks_, std::move(s)) : s;
-    }
-
-    hostState state() const
-    {
+        if (!ranks_.parallel())
+        {
+            return solver_.present();
+        }
         hostState s = solver_.download();
-        s.time = time_.value();
-        return s;
+        gathered_ =
+            s.partial ? gatherState(ranks_, std::move(s)) : std::move(s);
+        return gathered_;
     }
 
     Time& time_;
@@ -204,6 +208,7 @@ private:
     functionObjectList& functions_;
     runReport& report_;
     const communicator& ranks_;
+    hostState gathered_;
 };
 
 } // namespace

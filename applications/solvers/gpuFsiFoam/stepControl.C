@@ -18,14 +18,14 @@ static constexpr double infinite = std::numeric_limits<double>::infinity();
 static solidScales solidsOf
 (
     const scene& s,
-    const fluidSolver& solver,
+    fluidSolver& solver,
     const communicator& ranks
 )
 {
     solidScales solid;
     if (s.solids)
     {
-        solid = solidScalesOf(*s.solids, s.fluid, solver.download());
+        solid = solidScalesOf(*s.solids, s.fluid, solver.present());
         double most[2] = {-solid.massPerArea, solid.omegaMax};
         ranks.max(most, 2);
         solid.massPerArea = -most[0];

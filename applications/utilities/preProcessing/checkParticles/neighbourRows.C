@@ -28,7 +28,7 @@ public:
         ),
         list_(c.space, space_, c.schemes.searchRadius, false)
     {
-        const hostParticles<cpuBackend, double> host
+        hostParticles<cpuBackend, double> host
         (
             space_, c.space, hostState(t.state), nullptr
         );
