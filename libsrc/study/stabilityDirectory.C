@@ -49,7 +49,7 @@ stabilityDirectory::stabilityDirectory
 
 std::optional<stabilityRecord> stabilityDirectory::earlier() const
 {
-    if (!hasRecords())
+    if (!holds(recordFile()))
     {
         return {};
     }

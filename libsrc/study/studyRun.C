@@ -54,6 +54,7 @@ void studyRun::run()
         all_ += runsLeft(m);
     }
     const int kept = study_.repeats*int(members_.size()) - all_;
+    leaveOutKnown();
     info
     (
         "{} variants, {} runs each: {} to do, {} kept from before\n",
@@ -116,6 +117,32 @@ void studyRun::fail(member& m, const std::string& why)
 }
 
 
+//- What took too long in an earlier call
+void studyRun::leaveOutKnown()
+{
+    for (member& m : members_)
+    {
+        if (runsLeft(m) > 0 && m.directory.knownTooLong())
+        {
+            leaveOut
+            (
+                m, "it took longer than timeLimit before; -force tries again"
+            );
+            dropFiner(m);
+        }
+    }
+}
+
+
+void studyRun::leaveOut(member& m, const std::string& why)
+{
+    all_ -= runsLeft(m);
+    m.failed = true;
+    failures_.push_back(m.what.name + ": left out, as " + why);
+    info("{}", failures_.back());
+}
+
+
 void studyRun::dropFiner(const member& slow)
 {
     for (member& m : members_)
@@ -127,14 +154,12 @@ void studyRun::dropFiner(const member& slow)
           > slow.what.choice[study_.resolution]
         )
         {
-            all_ -= runsLeft(m);
-            m.failed = true;
-            failures_.push_back
+            leaveOut
             (
-                m.what.name + ": left out, as " + slow.what.name
+                m,
+                slow.what.name
               + ", which is coarser, took longer than timeLimit"
             );
-            info("{}", failures_.back());
         }
     }
 }

@@ -1,9 +1,11 @@
 #include "study/variantDirectory.H"
 
+#include "case/caseFileIO.H"
 #include "study/logWords.H"
 #include "study/machine.H"
 
 #include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 
 namespace gpuFsi
@@ -26,14 +28,26 @@ variantDirectory::variantDirectory
 
 std::vector<runRecord> variantDirectory::earlier() const
 {
-    return hasRecords() ? readRecords(recordFile())
+    return holds(recordFile()) ? readRecords(recordFile())
       : std::vector<runRecord>();
+}
+
+
+bool variantDirectory::knownTooLong() const
+{
+    return holds(limitFile())
+     && std::strtod(readCaseFile(limitFile()).c_str(), nullptr)
+     >= study_.timeLimit;
 }
 
 
 runRecord variantDirectory::run() const
 {
     const commandOutcome ran = execute();
+    if (ran.timedOut)
+    {
+        writeTextFile(limitFile(), fmt::format("{:.17g}\n", study_.timeLimit));
+    }
     if (!ran.good())
     {
         throw userError

@@ -102,9 +102,9 @@ fs::path variantFolder::beside(const char* ending) const
 }
 
 
-bool variantFolder::hasRecords() const
+bool variantFolder::holds(const fs::path& records) const
 {
-    return fs::exists(recordFile())
+    return fs::exists(records)
      && bytesOf(beside(".settings")) == settings_;
 }
 
@@ -134,7 +134,8 @@ void variantFolder::prepare() const
     if (bytesOf(beside(".settings")) != settings_)
     {
         // In this order: records never belong to other settings
-        fs::remove(beside(".runs.dat"));
+        fs::remove(recordFile());
+        fs::remove(limitFile());
         fs::create_directories(path_.parent_path());
         writeTextFile(beside(".settings"), settings_);
     }
@@ -154,7 +155,8 @@ void variantFolder::prepare() const
 
 void variantFolder::forget() const
 {
-    fs::remove(beside(".runs.dat"));
+    fs::remove(recordFile());
+    fs::remove(limitFile());
     fs::remove(beside(".settings"));
     fs::remove_all(path_);
 }

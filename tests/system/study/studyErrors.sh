@@ -33,6 +33,15 @@ fails "longer than timeLimit" \
      values (1.25 1); } }"
 expect "finer ones left out" "$(grep -c 'left out, as h=1.25' "$work/log")" \
     ">=" 1
+# Not tried again, but with a longer limit
+slow='repeats 1; commands ("sleep 1"); parameters { h {
+    entry "system/seedParticlesDict:spacing"; values (1.25 1); } }'
+fails "longer than timeLimit, 0.2" "$slow $error timeLimit 0.2;"
+fails "h=1.25: left out, as it took longer" "$slow $error timeLimit 0.1;"
+expect "none was run" "$(grep -c "longer than timeLimit, 0.1" "$work/log")" \
+    "==" 0
+fails "left no cost.dat" "$slow $error timeLimit 20;"
+fails "longer than timeLimit, 0.1" "$slow $error timeLimit 0.1;" -force
 fails "printed no number" \
     "$run error { command \"echo word\"; exact 1; } parameters { $h }"
 # The coarser run is not taken for the finest, which has failed
