@@ -27,7 +27,8 @@ std::string describe
 }
 
 
-//- A corner counts where it spans a tenth of what the cell does on average
+//- Corners count where each spans a tenth of what the cell does on average: one
+//  that is flat or over leaves those beside it so little that bending turns them
 template<int D>
 void addCell
 (
@@ -43,13 +44,13 @@ void addCell
         x[a] = mesh.offset(mesh.points[cell[a]], mesh.points[cell[0]]);
         cells.push_back(cell[a]);
     }
-    int upright = 0;
+    const double least = 0.1*cellShape<D>::volume(x);
+    bool good = true;
     for (int a = 0; a < N; ++a)
     {
-        const bool good = spannedAt<D>(x, a) > 0.1*cellShape<D>::volume(x);
-        upright |= int(good) << a;
+        good = good && spannedAt<D>(x, a) > least;
     }
-    cells.push_back(upright);
+    cells.push_back(good ? (1 << N) - 1 : 0);
 }
 
 

@@ -140,7 +140,10 @@ void runReport::printEnd()
         gpuFsi::info("    {:<18}{:>6.1f} %{:>12.4g} s", name,
             100*seconds/std::max(total, 1e-12), seconds);
     };
-    gpuFsi::info("Share of time by stage (stages are timed on every 16th, then 64th step):");
+    gpuFsi::info
+    (
+        "Share of time by stage (timed on every 16th, then every 64th step):"
+    );
     for (std::size_t s = 0; s < stages.size(); ++s)
     {
         line(stageNames[s], stages[s]);

@@ -137,6 +137,7 @@ private:
         const runInfo figures = report_.info();
         const hostState& whole = wholeState();
         onMaster([&] { (functions_.*act)(whole, figures); });
+        gathered_ = {};
         report_.addFunctionSeconds(time_.clockSeconds() - begin);
     }
 

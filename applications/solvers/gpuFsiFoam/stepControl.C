@@ -25,7 +25,7 @@ static solidScales solidsOf
     solidScales solid;
     if (s.solids)
     {
-        solid = solidScalesOf(*s.solids, s.fluid, solver.present());
+        solid = solidScalesOf(*s.solids, s.fluid, solver.download());
         double most[2] = {-solid.massPerArea, solid.omegaMax};
         ranks.max(most, 2);
         solid.massPerArea = -most[0];
