@@ -88,7 +88,9 @@ void waitABit()
 pid_t parentOf(const fs::path& process)
 {
     std::ifstream stream(process/"stat");
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    // Iterators throw where the process has just ended; getline does not
+    std::string text;
+    std::getline(stream, text, '\0');
     const std::size_t name = text.rfind(')');
     return name == text.npos || name + 4 > text.size()
       ? 0 : std::atoi(text.c_str() + name + 4);
